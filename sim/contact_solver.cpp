@@ -1,8 +1,8 @@
 // A step of `dWorldStep` finds velocities u and impulses p of the contacts with M (u - u_free) = J^T p and, for each
 // row of J, either J u + s p = c and p within its bounds, or p at the bound that it would exceed; s = cfm / h (ODE's
-// manual, "Constraint Force Mixing"). As s > 0, there is exactly one solution, whatever the way to it. ODE pivots in a
-// matrix with a row per equation (Dantzig's method). Here each equation is assumed to hold or to be at a bound, and
-// wrong assumptions are corrected: all at once (Newton's method for equations that are linear piece by piece), or,
+// manual, "Constraint Force Mixing"). As s > 0, there is exactly one solution, and every method finds it. ODE pivots in
+// a matrix with a row per equation (Dantzig's method). Here each equation is assumed to hold or to be at a bound, and
+// wrong assumptions are corrected: all together (Newton's method for equations that are linear piece by piece), or,
 // where that goes round in circles, the last one alone (Murty's method, which ends).
 //
 // Equations are added one by one, as a Kalman filter adds measurements. So all matrices have the six rows of a body,
@@ -53,7 +53,7 @@ struct Equation {
         const double p = wanted(velocity);
         return std::clamp(p, least, most) == (holds ? p : impulse);
     }
-    // From a bound it does not go to the other one at once: where the equation is firm, that would often be too far.
+    // From a bound it does not go directly to the other one: where the equation is firm, that would often be too far.
     void correct(const Vector6& velocity) {
         holds = !holds;
         impulse = std::clamp(wanted(velocity), least, most);

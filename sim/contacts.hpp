@@ -20,7 +20,7 @@ public:
     Contacts(dWorldID world, double step, const Scene& scene, Movers& movers, Islands& islands);
 
     /// Makes the contacts of these robots, and of the things that are awake, with the floor and their neighbours.
-    /// Records who touched whom and wakes touched things. A robot that touches no mover gets its `SimRobot::next`
+    /// Records which bodies touched and wakes touched things. A robot that touches no mover gets its `SimRobot::next`
     /// instead of joints. `robots` must contain all robots that have neighbours, in the order of adding. The neighbour
     /// lists and the scene must be up to date.
     void find(std::span<SimRobot* const> robots);

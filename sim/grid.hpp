@@ -9,7 +9,7 @@
 namespace nezumi::sim {
 
 /// Stores numbers in square cells of the floor. The visited numbers and their order depend only on what was inserted.
-/// Several threads may read at once.
+/// Several threads may read at the same time.
 class Grid {
 public:
     /// `cell` is the edge of a cell [m].

@@ -159,8 +159,8 @@ Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name
     return std::make_unique<SimRobotBody>(*this, movers_.robots.size() - 1, spec, mix(seed_, std::string_view(name)));
 }
 
-// A ray that hits nothing is no error. But if all walls and boxes end below it, the description probably has a wrong
-// height.
+// A ray that hits nothing is not an error. But if all walls and boxes end below it, the description probably has a
+// wrong height.
 void OdeWorld::warn_of_high_rays(const std::string& name, const RobotSpec& spec) const {
     constexpr double kerb = 0.01;  // [m] lower shapes need not be visible
     double top = 0;

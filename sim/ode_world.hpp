@@ -84,7 +84,8 @@ public:
     /// Appends the other robots within the sensor's radius, unless something is between.
     void list_neighbours(const SimRobot& robot, const SensorSpec& neighbours,
                          std::vector<SimulatedBody::InSight>& seen) const;
-    /// For changing what others see and hear of the robot from the next step on. Several robots may do so at once.
+    /// For changing what others see and hear of the robot from the next step on. Several robots may do so at the same
+    /// time.
     Signals& change_signals(RobotId id);
     bool touches_something(const SimRobot& robot, const SensorSpec& touch_sensor) const;
     /// The floor's colour for a downward-looking sensor. Nothing outside the floor's picture, or if the sensor is too

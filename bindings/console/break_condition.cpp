@@ -21,7 +21,7 @@ int append(lua_State* /*lua*/, const void* bytes, std::size_t size, void* to) {
     return 0;
 }
 
-// Copies a value that is no table; false for others.
+// Copies a value that is not a table; false for a table.
 bool push_copy(lua_State* to, lua_State* from, int index) {
     switch (lua_type(from, index)) {
         case LUA_TNIL: lua_pushnil(to); return true;

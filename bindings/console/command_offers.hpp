@@ -13,7 +13,7 @@ namespace nezumi {
 /// The components of this system. Components of other hosts are not global names of Lua.
 std::vector<std::string> names_of(const System& system);
 
-/// The kind of value that the argument at the cursor takes; nothing if the call is no command of the console.
+/// The kind of value that the argument at the cursor takes; nothing if the call is not a command of the console.
 Offer offer_at(const TextAtCursor& call);
 /// Values for the quoted text at the cursor.
 std::vector<std::string> texts_at(const System& system, const TextAtCursor& text);

@@ -156,7 +156,7 @@ Expected<CommandEnd> command_errors(Session::Parts& parts, const Arguments&) {
     const ActTime now = parts.live.when();
     const double seconds = parts.live.system().now().seconds;
     for (const LogLine& line : parts.clock.problems()) {
-        // In the past, what came later has not happened.
+        // In the past, later events have not happened.
         const bool is_later = line.start > now.start || (line.start == now.start && line.seconds > seconds);
         if (parts.live.is_past() && is_later) continue;
         const std::string start = line.start == parts.live.starts() ? "" : fmt::format("start {}, ", line.start);

@@ -17,7 +17,7 @@ namespace nezumi {
 namespace {
 
 // The running system as data, which words of system files extend. It is a copy, so that these words can read files
-// beside the ticks.
+// while ticks go on.
 struct Present {
     Project project;
     SystemSpec spec;

@@ -46,7 +46,7 @@ struct ConsoleCommand {
     const char* help;   ///< one sentence
     int most;           ///< arguments at most
     Expected<CommandEnd> (*run)(Session::Parts& parts, const Arguments& arguments);
-    /// True: it runs in the thread of the session, beside the ticks, and asks the ticking thread for what it needs of
+    /// True: it runs in the thread of the session while ticks go on, and asks the ticking thread for what it needs of
     /// the system. False: it runs between two ticks, so it must not read large values from Lua.
     bool beside = false;
     std::vector<Offer> offers{};  ///< of its arguments, in order; the last one is also for all further arguments

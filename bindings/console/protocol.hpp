@@ -19,7 +19,7 @@ struct Request {
         eval,         ///< runs `text`; the `answer` comes when it is done
         complete,     ///< asks for completions of `text` at `cursor`; the answer is `completions`
         is_complete,  ///< asks whether `text` is complete; the answer is an `answer`
-        interrupt,    ///< stops the running request at once; has no answer
+        interrupt,    ///< stops the running request immediately; has no answer
         key,          ///< a key for `drive`, named in `text`: up, down, left, right, space, escape, faster,
                       ///< slower; has no answer
     };

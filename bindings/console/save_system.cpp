@@ -94,7 +94,7 @@ void leave_out_twins(SystemSpec& spec) {
     }
 }
 
-// Peers are no longer told of removed components.
+// Removes the components that are gone from the descriptions of peers.
 void leave_out_missing(SystemSpec& spec) {
     const auto peers = spec.peers;  // each may replace its own
     for (const auto& [name, peer] : peers) peer->word().remove_missing(spec);

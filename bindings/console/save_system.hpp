@@ -9,7 +9,7 @@
 
 namespace nezumi {
 
-/// A copy of what is saved: taken between two ticks, written beside them.
+/// A copy of the saved data: taken between two ticks, written by another thread.
 struct PresentSystem {
     SystemSpec spec;
     Project project;

@@ -1,4 +1,4 @@
-// Handles the requests of a client one after the other. Only an interrupt and keys are handled at once.
+// Handles the requests of a client one after the other. Only an interrupt and keys are handled immediately.
 #include "bindings/console/server.hpp"
 
 #include <fmt/format.h>

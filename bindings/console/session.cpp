@@ -15,7 +15,7 @@
 namespace nezumi {
 namespace {
 
-// The longest time that a session waits for an input that can't be stopped at once: Lua's own code is left after a
+// The longest time that a session waits for an input that can't be stopped immediately: Lua's own code is left after a
 // second.
 constexpr std::chrono::seconds stuck_after{2};
 constexpr std::chrono::seconds session_farewell{1};

@@ -1,4 +1,4 @@
-// The session of one user of the console: inputs run in a Lua state and a thread of their own, beside the ticks.
+// The session of one user of the console: inputs run in their own Lua state and thread, while ticks go on.
 #pragma once
 
 #include <chrono>

@@ -64,7 +64,7 @@ public:
     void serve(Clock::time_point until, const std::function<bool()>& takes_more = {});
     /// For what `serve` does: its `until`.
     Clock::time_point until() const { return until_; }
-    /// Does what was posted, and nothing else.
+    /// Runs only the posted jobs.
     void serve_posts();
     /// Stops the job soon: nothing more of it is done, and its calls into Lua end as if their time had run out.
     void revoke();

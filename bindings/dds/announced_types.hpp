@@ -16,7 +16,7 @@ inline constexpr std::size_t most_types = 256, most_fields = 4096;
 std::vector<AnnouncedType> announced_types(const std::vector<const MessageType*>& types);
 
 /// In which field another host's definition of a type differs from this host's: "field 'distance' is finite number [m]
-/// in PORT, and finite number [mm] in OTHER_PORT". "" if that is no definition of the same name or no difference is
+/// in PORT, and finite number [mm] in OTHER_PORT". "" if that is not a definition of the same name or no difference is
 /// known.
 std::string explain_difference(const MessageType& ours, const std::string& port, const AnnouncedType& theirs,
                                const std::string& other_port);

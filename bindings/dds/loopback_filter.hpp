@@ -1,4 +1,4 @@
-// Blocks packets of other computers on sockets meant for this computer.
+// Blocks packets of other computers on sockets that serve only this computer.
 #pragma once
 
 #include <cstdint>

@@ -13,8 +13,8 @@
 namespace nezumi::dds {
 
 struct RemoteRequest {
-    std::uint64_t from = 0;    ///< run of who asks
-    std::uint64_t to = 0;      ///< run of who is asked: another start of that host is another host
+    std::uint64_t from = 0;    ///< run of the host that asks
+    std::uint64_t to = 0;      ///< run of the host that is asked: another start of that host is another host
     std::uint64_t number = 0;  ///< of the request in its run, from 1 on
     std::uint8_t what = 0;     ///< `Question::What`
     std::string component{};   ///< of whom

@@ -24,7 +24,7 @@ struct Topic {
     int depth = 1;            ///< longest queue of a reader; the oldest messages are dropped
     std::string user_data{};  ///< of the writer or reader, visible to others
     /// For a reader: rejected messages are dropped on arrival, before they displace waiting ones. None: all are
-    /// admitted. Called from any thread, several at once.
+    /// admitted. Called from any thread, also by several at the same time.
     std::function<bool(std::span<const std::uint8_t> cdr)> admits{};
 };
 

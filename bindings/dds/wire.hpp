@@ -13,7 +13,7 @@
 
 namespace nezumi::dds {
 
-/// Changes with whatever makes two hosts unable to understand each other.
+/// Changes with every change that makes two hosts unable to understand each other.
 inline constexpr std::uint32_t protocol = 4;
 
 /// How all of it is encoded.

@@ -70,7 +70,7 @@ std::vector<DifferingValue> differing_values(const std::string& port, const Valu
         if (value.by && *value.by <= tolerance) continue;
         found.push_back(std::move(value));
     }
-    // Bytes, as of pictures, are no leaves.
+    // Bytes, such as pixels, are not leaves.
     if (all_same && first != nullptr && second != nullptr)
         found.push_back({port, short_text(*first), short_text(*second), {}});
     return found;

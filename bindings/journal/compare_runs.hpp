@@ -57,7 +57,7 @@ Expected<std::vector<std::string>> traced_lines(RunningSystem& live, const ActTi
 std::vector<DifferingLine> differing_lines(const std::vector<std::string>& first,
                                            const std::vector<std::string>& second);
 
-/// Performs two runs at once. An error if one of them can't be replayed.
+/// Performs two runs together, tick by tick. An error if one of them can't be replayed.
 Expected<RunComparison> compare_runs(Replay& first, RunningSystem& of_first, Replay& second, RunningSystem& of_second);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Every line is checked before anything runs, but for the fields of acts, which need the project's files.
+// Every line is checked before anything runs, except the fields of acts, which need the project's files.
 #include "bindings/journal/replay.hpp"
 
 #include <fmt/format.h>

@@ -36,7 +36,7 @@ const Type* find_type(const std::string& name, const OtherForms& others) {
 
 Json write_any(const Value& value, const OtherForms& others) {
     if (const auto* table = value.get_if<TableRef>()) return Json{{"table", table->index}};
-    // As a number whatever its size: nothing else says here that it is none of the texts.
+    // Always as a number, of any size: only this shows here that it is not one of the strings.
     if (const auto* whole = value.get_if<std::int64_t>()) return *whole;
     for (const PlainType& each : plain_types()) {
         if (each.type != &value.type()) continue;

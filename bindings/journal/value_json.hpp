@@ -40,7 +40,7 @@ std::string read_value(const nlohmann::ordered_json& json, const ValuePlace& out
 /// Reads plain data. Like every value that was read, it needs no further check.
 std::string read_plain(const nlohmann::ordered_json& json, PlainData& out);
 
-/// "expected a text, got 5": a long value is shortened.
+/// "expected a string, got 5": a long value is shortened.
 std::string expected_in_json(std::string_view what, const nlohmann::ordered_json& got);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// The elements of all versions: 0.1 has other names for attributes that say nothing here; 0.2 and 0.3 differ in none.
+// The elements of all versions: 0.1 has other names for attributes that are not used here; 0.2 and 0.3 differ in none.
 #include "bindings/openrtm/component_profile.hpp"
 
 #include <fmt/format.h>
@@ -61,7 +61,7 @@ private:
         if (const std::string line = in_one_line(said); !line.empty())
             profile_.remarks.push_back(fmt::format("{}: {}", what, line));
     }
-    // What RTCBuilder writes by itself is no remark.
+    // What RTCBuilder always writes needs no remark.
     void remark_unless(const pugi::xml_node& node, const char* name, std::string_view usual) {
         if (const std::string_view said = attribute_of(node, name); said != usual) remark(name, said);
     }

@@ -13,12 +13,12 @@ namespace nezumi::openrtm {
 struct ProfileConstraint {
     std::optional<double> min, max;    ///< inclusive
     std::vector<std::string> choices;  ///< as texts
-    std::vector<std::string> remarks;  ///< what of it can't be said here, one line each
+    std::vector<std::string> remarks;  ///< the parts that can't be expressed here, one line each
 
     bool operator==(const ProfileConstraint&) const = default;
 };
 
-/// Reads a `Constraint` element; an empty node is no constraint. `is_integer`: of a parameter that is one, so that
+/// Reads a `Constraint` element; an empty node means no constraint. `is_integer`: of a parameter that is one, so that
 /// `x > 3` is a bound of 4.
 ProfileConstraint read_constraint(const pugi::xml_node& constraint, bool is_integer);
 

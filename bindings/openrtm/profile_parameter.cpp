@@ -93,7 +93,7 @@ std::optional<double> foreign_number_in(std::string_view text) {
     return is_negative ? -value : value;
 }
 
-// One value of a parameter's type, or of its elements; nothing if the text stands for none.
+// One value of a parameter's type, or of its elements; nothing if the text is not such a value.
 std::optional<Value> single_in(std::string_view text, const Value& like) {
     if (like.is<std::string>()) return Value(std::string(text));
     if (auto value = from_rtc_text(std::string(text), like)) {
@@ -170,7 +170,7 @@ void read_properties(const pugi::xml_node& configuration, ParameterSpec& spec) {
     if (!elements.empty() && spec.initial.is<std::vector<std::string>>()) spec.initial = Value(std::move(elements));
 }
 
-// Gives up what makes the declaration invalid: the widget, or else the constraint, or else both.
+// Gives up what makes the declaration invalid: the widget, otherwise the constraint, otherwise both.
 void keep_valid(ParameterSpec& spec, std::vector<std::string>& remarks) {
     const auto valid = check_declaration(spec);
     if (valid) return;

@@ -11,7 +11,7 @@
 
 namespace nezumi::openrtm {
 
-/// Reads a `Configuration` element. The result is a valid declaration, but for its name. What of it can't be used is
+/// Reads a `Configuration` element. The result is a valid declaration, except for its name. What of it can't be used is
 /// added to `remarks`; nothing if no part of it can.
 std::optional<ParameterSpec> read_parameter(const pugi::xml_node& configuration, std::vector<std::string>& remarks);
 

@@ -1,4 +1,4 @@
-// pugixml expands no entities of a DOCTYPE; a text that has one is refused all the same.
+// pugixml expands no entities of a DOCTYPE; a document with a DOCTYPE is refused anyway.
 #include "bindings/openrtm/profile_xml.hpp"
 
 #include <fmt/format.h>

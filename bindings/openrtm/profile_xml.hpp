@@ -22,7 +22,7 @@ inline constexpr int deepest_profile = 100;
 Expected<pugi::xml_node> open_profile(std::string_view text, const std::string& shown, std::string_view root,
                                       pugi::xml_document& document);
 
-/// Why this document is no profile that a tool has written; "" if it may be one.
+/// Why this document is not a profile that a tool has written; "" if it may be one.
 std::string wrong_with(const pugi::xml_document& document);
 
 /// The outermost element of a new document.
@@ -33,7 +33,7 @@ Expected<std::string> save_profile(const pugi::xml_document& document);
 /// "rtc:DataPorts" is "DataPorts".
 std::string_view local_name(std::string_view name);
 
-/// The value of an attribute, whatever its prefix; "" if there is none. `xsi:type` is no attribute called "type".
+/// The value of an attribute with any prefix; "" if there is none. `xsi:type` is not an attribute called "type".
 std::string_view attribute_of(const pugi::xml_node& node, std::string_view name);
 
 /// A text of RTCBuilder, which has the line breaks of HTML (`<br/>`), with another text in place of each.

@@ -1,5 +1,5 @@
-// A list of mappings is elements of one name, a mapping one element, a scalar an attribute. "rtsExt::" begins the names
-// of extensions.
+// A list of mappings means several elements with one name, a mapping one element, a scalar an attribute. "rtsExt::"
+// begins the names of extensions.
 #include "bindings/openrtm/profile_yaml.hpp"
 
 #include <fmt/format.h>
@@ -75,7 +75,7 @@ bool is_single(std::string_view name) {
     return std::find(single.begin(), single.end(), name) != single.end();
 }
 
-// Values that are no texts for rtsprofile.
+// Values that rtsprofile does not read as strings.
 bool is_bare(std::string_view name) {
     constexpr std::array<std::string_view, 8> bare{"isRequired", "visible", "rate",  "pushInterval",
                                                    "x",          "y",       "width", "height"};

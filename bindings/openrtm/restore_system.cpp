@@ -1,4 +1,4 @@
-// First everything is looked at; only then is anything changed. Robots move at the very end.
+// First everything is checked, then everything is changed. Robots move at the very end.
 #include "bindings/openrtm/restore_system.hpp"
 
 #include <fmt/format.h>

@@ -47,7 +47,7 @@ std::vector<std::string> parts_of(const std::string& text) {
     return parts;
 }
 
-// Reads a value; false where the text is none of its type.
+// Reads a value; false if the text is not a value of its type.
 bool read_rtc(const std::string& text, const ValuePlace& out) {
     const std::string_view whole = trimmed(text);
     switch (out.type->kind) {

@@ -31,7 +31,7 @@ std::string rtc_widget_of(const ParameterSpec& spec);
 
 /// A parameter's value as a configuration set has it: "0.1", "true", "1,2,3", a text as it is.
 std::string to_rtc_text(const ValueView& value);
-/// The value that a text stands for, of the type of `like`; nothing where it stands for none.
+/// The value of a text, of the type of `like`; nothing if the text is not such a value.
 std::optional<Value> from_rtc_text(const std::string& text, const Value& like);
 
 }  // namespace nezumi::openrtm

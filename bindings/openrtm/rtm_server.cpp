@@ -245,7 +245,7 @@ RtcAnswer RtmServer::create(const RtcRequest& request) {
         return RtcAnswer::refused;
     }
     host_.say(false, fmt::format("rtm: a tool has added {} ({})", request.component, request.script));
-    follow_changes();  // it is exported at once
+    follow_changes();  // it is exported immediately
     return RtcAnswer::done;
 }
 

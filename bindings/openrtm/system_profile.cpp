@@ -1,4 +1,4 @@
-// Positions in the editor and references to objects are left out: they say nothing here.
+// Positions in the editor and references to objects are left out, because nezumi does not use them.
 #include "bindings/openrtm/system_profile.hpp"
 
 #include <fmt/format.h>

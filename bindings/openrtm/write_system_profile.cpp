@@ -20,7 +20,7 @@ namespace {
 // "controller" is the RTC "controller0".
 std::string instance_of(const std::string& component) { return component + "0"; }
 
-// "localhost" of "localhost:2809": that a name service has the usual port is not said.
+// "localhost" of "localhost:2809": the usual port of a name service is left out.
 std::string server_text(const RtmSpec& rtm) {
     const std::string& first = rtm.nameservers.front();
     return first.ends_with(usual_port) ? first.substr(0, first.size() - usual_port.size()) : first;
@@ -47,7 +47,7 @@ ProfiledComponent profiled(const RtcProfile& profile, const Component& component
     return written;
 }
 
-// The component of another program, as far as a connection tells of it.
+// The component of another program, as far as a connection describes it.
 ProfiledComponent& other_component(SystemProfile& profile, const std::string& instance, std::string path) {
     auto& all = profile.components;
     const auto known =

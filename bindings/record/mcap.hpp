@@ -27,7 +27,7 @@ enum class Opcode : std::uint8_t {
     data_end = 0x0F,
 };
 
-/// The definition of a channel's messages. A name of "" is no schema.
+/// The definition of a channel's messages. The name "" means: no schema.
 struct Schema {
     std::string name;      ///< "sensor_msgs/msg/LaserScan"
     std::string encoding;  ///< "ros2msg"

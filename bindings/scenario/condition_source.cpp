@@ -57,7 +57,7 @@ std::optional<bool> truth_of(const SyntaxNode& node) {
     return !node.first->is("false") && !node.first->is("nil");
 }
 
-// A value that Lua's compiler inserts wherever a <const> local is used.
+// A value that Lua's compiler inserts at each use of a <const> local.
 bool is_constant(const SyntaxNode& value) {
     return value.is(Kind::literal) || (value.is(Kind::unary) && value.word->is("-") && value.child->is(Kind::literal));
 }
@@ -77,7 +77,7 @@ bool contains_return(const SyntaxNode& node) {
     return std::any_of(begin(node), end(node), contains_return);
 }
 
-// A function that is nothing but `return EXPRESSION`.
+// A function that contains only `return EXPRESSION`.
 bool only_returns(const SyntaxNode& body) {
     return body.child != nullptr && body.child->next == nullptr && body.child->is(Kind::return_statement) &&
            body.child->count() == 1 && body.child->child->count() == 1;
@@ -274,7 +274,7 @@ private:
             for (const SyntaxNode& child : *root) shorten_paths(child);
             return;
         }
-        // What is called or indexed is no number.
+        // A value that is called or indexed is not a number.
         const SyntaxNode& parent = *node.parent;
         const bool is_subject = parent.child == &node &&
                                 (parent.is(Kind::call) || parent.is(Kind::method_call) || parent.is(Kind::subscript));

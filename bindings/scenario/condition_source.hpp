@@ -18,7 +18,7 @@ enum class HookCall : unsigned char {
     contact,  ///< (X): gives X.collided
     call,     ///< (function): the function that is called for the next value; gives what is called instead
     decide,   ///< (...): the value of a decision; gives all its arguments
-    path,     ///< (X): gives the number X.a.b, found at once; nothing if it is none
+    path,     ///< (X): gives the number X.a.b, found directly; nothing if it is not a number
 };
 
 inline constexpr std::size_t hook_calls = 6;
@@ -26,7 +26,7 @@ inline constexpr std::size_t hook_calls = 6;
 /// The text of a function that calls `hook` with each comparison and decision.
 struct ObservedSource {
     std::string text;       ///< "function() return hook(0, x,(0.7)) end", with the line breaks of the original
-    std::string constants;  ///< declares the constants that are no upvalues: "local limit <const> = 0.7 "
+    std::string constants;  ///< declares the constants that are not upvalues: "local limit <const> = 0.7 "
     Observed observed;
     std::string why;  ///< the reason if the text is empty
 };

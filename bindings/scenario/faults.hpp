@@ -22,8 +22,8 @@ public:
     /// Adds a fault that has been applied. It ends between two ticks, `seconds` after `now`. Infinity: it ends when it
     /// is restored, and replaces the other faults of its key.
     void begin(std::string key, double now, double seconds, Effect effect);
-    /// Adds an effect below the faults that is no fault itself, such as a hold. It works again when the faults over it
-    /// have ended. Call it before those begin.
+    /// Adds an effect below the faults that is not a fault itself, such as a hold. It works again when the faults over
+    /// it have ended. Call it before those begin.
     void lies_under(std::string key, std::function<void()> put);
     /// Ends the faults whose time has come. Call it before every tick.
     void end_due(double now);

@@ -16,7 +16,7 @@ struct Comparison {
     std::string left;   ///< as written in the text
     std::string right;  ///< as written in the text; "" for a boolean
     Operator op = Operator::less;
-    std::string_view unit{};  ///< of what is compared, "" when the text does not tell
+    std::string_view unit{};  ///< unit of the compared values, "" if the text does not show it
     bool negated = false;     ///< the condition has `not` before it
     std::string called{};     ///< what is called for the value, as in Lua's messages: "upvalue 'near'"; of a contact,
                               ///< what is indexed: " (field 'mouse')"

@@ -15,7 +15,7 @@ using Shares = std::vector<double>;
 class MarginModel {
 public:
     /// `values` are those at `places`: at least one, all with the same number of shares. Differences of a share that
-    /// `is_choice` count fully, whatever their size.
+    /// `is_choice` count fully, of any size.
     MarginModel(std::vector<Shares> places, const std::vector<double>& values, std::vector<bool> is_choice);
     ~MarginModel();
     MarginModel(const MarginModel&) = delete;

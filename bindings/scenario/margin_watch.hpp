@@ -15,7 +15,7 @@ namespace nezumi {
 /// - always: the least robustness; never: the least after its sign is changed.
 /// - wait_until, eventually: the greatest until the event.
 /// - maintain: the least during the hold. A hold that begins when its condition becomes true begins at the limit; this
-///   is no small margin, so samples do not count while the margin only grows from there. Without a hold that is long
+///   is not a small margin, so samples do not count while the margin only grows from there. Without a hold that is long
 ///   enough: the one that ended the longest hold, or the greatest if there was no hold.
 class MarginWatch {
 public:

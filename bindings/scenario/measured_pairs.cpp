@@ -13,7 +13,7 @@
 namespace nezumi {
 namespace {
 
-// The values of one measure for one value of the key, by what its pairs have in common.
+// The values of one measure for one value of the key, by the common part of the pairs.
 struct Side {
     std::string value;
     std::map<std::string, double> measured{};

@@ -52,7 +52,7 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
                           .spectator = options.spectator,
                           .coverage = covered});
     RunResult result = scenario.run();
-    // Also what failed to load, and what was missing: a save may mend it.
+    // Also files that failed to load, and missing files: a save may correct them.
     const std::vector<std::string> looked_for = reads();
     result.reads.insert(result.reads.end(), looked_for.begin(), looked_for.end());
     return result;

@@ -1,4 +1,4 @@
-// Makes one run of a plan in this process, and its report.
+// Performs one run of a plan in this process, and reports it.
 #pragma once
 
 #include <cstdint>

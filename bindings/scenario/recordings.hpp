@@ -23,7 +23,7 @@ public:
     virtual double length() const = 0;
 };
 
-/// Which behaviour is judged, and by what.
+/// The judged behaviour, and the recorded run.
 struct JudgeRequest {
     std::string behavior{};                    ///< its file, or its name
     std::string component{};                   ///< recorded; "" for the one with this file

@@ -42,7 +42,7 @@ struct KeptResult {
     std::uint64_t seed = 0;
 };
 
-/// Files are written completely or not at all. Several processes may write at once if each has its own runs.
+/// Files are written completely or not at all. Several processes may write at the same time if each has its own runs.
 class ResultStore {
 public:
     /// Uses the folder `results/` of the folder for failures.

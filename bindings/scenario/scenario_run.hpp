@@ -60,7 +60,7 @@ struct RunSettings {
     bool keep_journal = false;               ///< builds worlds so that their journals can be replayed
     bool keep_history = false;               ///< for plots; takes memory that grows with the run
     bool update_goldens = false;             ///< writes the goldens instead of comparing with them
-    Spectator* spectator = nullptr;          ///< looks on; null: nobody does
+    Spectator* spectator = nullptr;          ///< watches the run; null: nobody
     Coverage* coverage = nullptr;            ///< notes which lines of scripts run; null: not needed
 };
 

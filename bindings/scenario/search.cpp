@@ -1,4 +1,4 @@
-// Rounds have a fixed size, whatever the number of jobs. A place is a share of the range of each value.
+// Rounds have a fixed size that does not depend on the number of jobs. A place is a share of the range of each value.
 #include "bindings/scenario/search.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// In rounds: all runs of a round are chosen before it, so that processes can make them in any order.
+// In rounds: all runs of a round are chosen before it, so that processes can run them in any order.
 #include "bindings/scenario/searched_runs.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Makes the runs that searches choose.
+// Performs the runs that searches choose.
 #pragma once
 
 #include <cstddef>

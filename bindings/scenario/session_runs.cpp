@@ -21,7 +21,7 @@ SessionRuns::SessionRuns(const TestPlan& of_plan, const TestSessionOptions& with
     for (std::size_t run = 0; run < plan.runs.size(); ++run) {
         if (options.shard.has(run)) mine.push_back(run);
     }
-    // A search begins when all planned runs are made.
+    // A search begins when all planned runs have finished.
     std::stable_partition(mine.begin(), mine.end(), [&](std::size_t run) { return !plan.runs[run].searched; });
 }
 

@@ -1,4 +1,4 @@
-// Somebody who looks on while a scenario runs.
+// An observer of a running scenario.
 #pragma once
 
 #include "bindings/scenario/run_result.hpp"

@@ -1,4 +1,4 @@
-// A session of scenarios: makes each run in a process of its own, simplifies random failures, and reports.
+// A session of scenarios: performs each run in a process of its own, simplifies random failures, and reports.
 #pragma once
 
 #include <filesystem>

@@ -13,7 +13,8 @@ namespace nezumi {
 /// $XDG_STATE_HOME/nezumi/history, or ~/.local/state/nezumi/history; empty without a home folder.
 std::filesystem::path history_path();
 
-/// One input per line, with its line ends written as \n. Several consoles may append at once, each input as a whole.
+/// One input per line, with its line ends written as \n. Several consoles may append at the same time, each input as a
+/// whole.
 class HistoryFile {
 public:
     /// A file with more than twice this number of inputs is shortened to this number when it is read.

@@ -1,4 +1,4 @@
-// Waits for the terminal and for the system at once, so that neither blocks the other.
+// Waits for the terminal and for the system together, so that neither blocks the other.
 #include "bindings/terminal/terminal.hpp"
 
 #include <poll.h>

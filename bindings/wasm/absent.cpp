@@ -1,4 +1,4 @@
-// Functions of Linux that a page has not: each fails as where the kernel refuses it, and its callers do without.
+// Functions of Linux that a page does not have: each fails as if the kernel refused it, and its callers handle that.
 #include <spawn.h>
 #include <sys/eventfd.h>
 #include <sys/inotify.h>

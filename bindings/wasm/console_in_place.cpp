@@ -16,7 +16,7 @@ struct Lines {
     std::string events;
 };
 
-// By the number that stands for both ends of a connection. They are no files.
+// By the number that stands for both ends of a connection. They are not files.
 std::map<int, Lines>& connections() {
     static std::map<int, Lines> the;
     return the;

@@ -11,7 +11,7 @@
 namespace nezumi::web {
 namespace {
 
-// The second system is given up if nobody asks it for anything during this time.
+// The second system ends if it gets no request during this time.
 constexpr std::chrono::seconds kept{20};
 constexpr std::chrono::milliseconds slice{5};  // while time stands
 
@@ -51,7 +51,7 @@ void Earlier::forget(ClientId client) {
 Expected<void> Earlier::begin(const Asked& asked) {
     if (past_ && past_->extend(live_, asked.channels, 0, asked.to)) return {};
     past_.reset();
-    // All plots that wait are computed at once.
+    // All plots that wait are computed together.
     std::vector<std::string> channels = asked.channels;
     for (const Asked& each : asked_) {
         if (!asked.port.empty() && each.to == asked.to)

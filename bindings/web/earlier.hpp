@@ -1,4 +1,4 @@
-// Values from before what the run remembers, for the page's time line and plots: computed beside the run.
+// Values from before what the run remembers, for the page's time line and plots: computed while the run goes on.
 #pragma once
 
 #include <functional>
@@ -27,8 +27,8 @@ public:
     Earlier(RunningSystem& live, const ClockControl& clock, Send send, Answer answer)
         : live_(live), clock_(clock), send_(std::move(send)), answer_(std::move(answer)) {}
 
-    /// Answers at once with what is remembered, and again when the rest is computed. A later time that the same client
-    /// asks for replaces one that waits. Where the past can't be computed, there is no second answer.
+    /// Answers immediately with what is remembered, and again when the rest is computed. A later time that the same
+    /// client asks for replaces one that waits. Where the past can't be computed, there is no second answer.
     void ask_then(ClientId client, double at, const std::vector<std::string>& names);
     /// Computes all numbers of a port since the last start, up to now.
     Expected<void> ask_port(ClientId client, std::int64_t id, const std::string& port);

@@ -154,7 +154,7 @@ Expected<Descriptor> EditedFiles::open_folder_of(const std::string& path, bool m
         rest.remove_prefix(slash + 1);
         if (makes && mkdirat(folder.get(), part.c_str(), 0777) != 0 && errno != EEXIST) return failure(why(errno));
         Descriptor next(openat(folder.get(), part.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-        // The kernel says of a link only that it is no folder.
+        // For a link, the kernel says only that it is not a folder.
         if (!next && errno == ENOTDIR)
             return failure(fmt::format("'{}' is not a folder, or is a link, which is not followed", part));
         if (!next) return failure(why(errno));

@@ -1,4 +1,4 @@
-// The editor of the page: answers its requests about the project's files, beside the ticks.
+// The editor of the page: answers its requests about the project's files, while ticks go on.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// Explains executions to browsers: the next one of a system that moves, and the last one where time stands.
+// Explains executions to browsers: the next one of a running system, and the last one if time is paused.
 #pragma once
 
 #include <cstdint>

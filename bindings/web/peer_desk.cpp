@@ -26,7 +26,7 @@ std::optional<std::string> PeerDesk::serve(bool is_watched, Clock::time_point no
         if (!is_ready(each.answer)) return false;
         const auto text = each.answer.get();
         answer_(each.client, each.id, text ? Expected<void>() : Unexpected(text.error()));
-        next_ = now;  // the change is shown at once
+        next_ = now;  // the change is shown immediately
         return true;
     });
     if (look_.valid()) {

@@ -1,5 +1,5 @@
-// The scenarios and recordings of the page: lists them, and runs and judges them beside the ticks as processes of their
-// own.
+// The scenarios and recordings of the page: lists them, and runs and judges them in other processes, while ticks
+// go on.
 #pragma once
 
 #include <array>

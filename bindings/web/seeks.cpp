@@ -1,4 +1,4 @@
-// One request at a time: the last one is what a person wants who moves the slider of time.
+// One request at a time: a person who moves the slider of time wants the last one.
 #include "bindings/web/seeks.hpp"
 
 #include <algorithm>

@@ -18,8 +18,8 @@ inline constexpr std::size_t largest_text = std::size_t{16} << 20;
 Expected<std::string> read_whole(const std::filesystem::path& file, const std::string& shown,
                                  std::size_t largest = largest_text);
 
-/// "a folder", "a FIFO", "a socket", "a device": an existing object that is no regular file; "" for a file, or if there
-/// is nothing.
+/// "a folder", "a FIFO", "a socket", "a device": an existing object that is not a regular file; "" for a file, or if
+/// there is nothing.
 std::string_view other_than_file(const std::filesystem::path& path);
 
 /// Writes a text completely to an open file, with as many calls as needed. Returns 0, or the errno of the failed call.

@@ -1,4 +1,4 @@
-// Work beside the ticks: given at time t, its result is available at t + latency.
+// Work in another thread, while ticks go on: given at time t, its result is available at t + latency.
 #pragma once
 
 #include <cassert>
@@ -33,7 +33,7 @@ public:
     }
 
     /// The result, or nothing if it is not available yet. With `wait` (simulation), waits for the result when it is
-    /// due; without (hardware), returns it as soon as it is ready, whatever the latency.
+    /// due; without (hardware), returns it as soon as it is ready, without the latency.
     std::optional<Expected<Result>> take(const Time& now, bool wait) {
         if (!busy()) return std::nullopt;
         if (wait ? now.seconds < due_ - half_a_step : !is_ready()) return std::nullopt;

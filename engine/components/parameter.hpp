@@ -62,7 +62,7 @@ public:
     const Parameter* find(std::string_view name) const;
     const std::vector<Parameter>& all() const { return all_; }
 
-    /// Sets one value at once. The error names the nearest parameter, or the limit; then nothing has changed.
+    /// Sets one value immediately. The error names the nearest parameter, or the limit; then nothing has changed.
     Expected<void> set(std::string_view name, const Value& value);
     /// Sets all of these, or none if one is refused.
     Expected<void> set_all(const ParameterValues& values);

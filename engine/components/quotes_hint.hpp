@@ -1,4 +1,4 @@
-// What to write for a text of digits on the command line.
+// The hint for a string of digits on the command line.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 
 namespace nezumi {
 
-/// For a parameter that is a text, and a value from "--set c.mode=4" that is none: ": write c.mode='"4"'". Otherwise
+/// For a parameter that is a string, and a value from "--set c.mode=4" that is not: ": write c.mode='"4"'". Otherwise
 /// "".
 inline std::string quotes_hint(const ParameterSpec& spec, const Value& value, std::string_view option) {
     constexpr std::string_view set = "--set ";

@@ -1,4 +1,4 @@
-// Takes an exposure at the frame rate, and computes the picture beside the ticks.
+// Takes an exposure at the frame rate, and computes the picture in another thread.
 #include "engine/devices/camera.hpp"
 
 #include <fmt/format.h>

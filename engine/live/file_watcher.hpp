@@ -1,4 +1,4 @@
-// Detects files with changed content, whatever way an editor saves them.
+// Detects files with changed content, for every way in which an editor saves them.
 #pragma once
 
 #include <atomic>

@@ -16,7 +16,7 @@ class LiveReload {
 public:
     /// Watches every script of the system with its modules, and `other_files` (system, robots, maps), whose changes are
     /// only reported. A file that can't be read any more is reported once. Must be destroyed before the next start.
-    /// `seen` are contents of files that are no change, though other contents run.
+    /// `seen` are contents of files that do not count as a change, although other contents run.
     LiveReload(RunningSystem& live, Reloads& reloads, const std::vector<std::string>& other_files,
                const FileWatcher::Files& seen = {});
 

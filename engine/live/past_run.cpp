@@ -58,7 +58,7 @@ Expected<bool> PastRun::go_on_beside(Clock::time_point until) {
     auto there = go_on(until);
     worked_ = Clock::now();
     if (ticks_ == before) return there;
-    // What other programs take from a slice says nothing about a tick, so the estimate grows slowly.
+    // Other programs also take time from a slice, so it is not the time of a tick alone: the estimate grows slowly.
     const auto took = (worked_ - now) / (ticks_ - before);
     tick_time_ = before == 0 ? took : std::min<Clock::duration>(took, tick_time_ + tick_time_ / 8 + more);
     return there;

@@ -1,4 +1,4 @@
-// Computes a past moment of a running system again, beside it and in pieces.
+// Computes a past moment of a running system again, in small pieces while it runs.
 #pragma once
 
 #include <chrono>

@@ -9,7 +9,8 @@
 namespace nezumi {
 namespace {
 
-// Before the first tick that is asked for: what arrives at an in-port is kept from the tick after it is followed.
+// The computation starts before the first requested tick, because messages at an in-port are kept only from the tick
+// after it is followed.
 constexpr std::int64_t ticks_before = 2;
 
 std::int64_t tick_at(const RunningSystem& live, double seconds) {

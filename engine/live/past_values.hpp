@@ -1,4 +1,4 @@
-// Values of a running system from before what its trace keeps, computed again beside it.
+// Values of a running system from before what its trace keeps, computed again while it runs.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ public:
     /// `PastRun::go_on` and `go_on_beside` compute them; the trace of its system has them then.
     PastRun& run() { return *run_; }
     Trace& trace() { return run_->system().trace(); }
-    /// Has it go on to the second time [s], if it is not there yet. False if it is not of this system, or does not
+    /// Lets it continue to the second time [s], if it is not there yet. False if it is not of this system, or does not
     /// remember these channels from the first time on, or can't get there.
     bool extend(const RunningSystem& live, const std::vector<std::string>& names, double from, double to);
 

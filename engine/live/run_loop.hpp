@@ -64,8 +64,8 @@ public:
 
     /// Runs until the end: `quit`, `end_when`, `end_at`, or a fatal error of the system.
     void run();
-    /// Serves until the next tick is due and runs it, for who decides tick by tick whether there is another one.
-    /// Returns false if the run has ended; then there was no tick.
+    /// Serves until the next tick is due and runs it, for a caller that decides tick by tick whether there is another
+    /// one. Returns false if the run has ended; then there was no tick.
     bool next_tick();
     /// Does what `run` would do in about this time [s], but never waits: for programs with their own loop. Returns the
     /// time until more is due [s]; 0: at once, negative: the run has ended.

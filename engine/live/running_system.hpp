@@ -42,7 +42,7 @@ struct LiveOptions {
     BuildOptions build;
     Budget budget = paced_budget;  ///< of each call into a script; `headless_budget` in runs without a clock
     bool watch = false;            ///< reload scripts when they are saved
-    bool is_replay = false;        ///< what other programs did is known: none of them is there
+    bool is_replay = false;        ///< the acts of other programs are known, and none of these programs is connected
     std::function<void(std::string_view)> print;  ///< gets the output of system files, a line at a time; may be empty
 };
 
@@ -96,7 +96,7 @@ public:
     /// port.
     Expected<ActResult> deliver(const Port& port, const Act& act, const Actor& who);
     // `act` in two phases, for callers with a thread that may wait: no tick waits for files or scripts.
-    /// Between two ticks: returns a function that prepares a Reload, Add or Restart beside the ticks. `found` are the
+    /// Between two ticks: returns a function that prepares a Reload, Add or Restart while ticks go on. `found` are the
     /// files that the caller has already read. A Reload without files and component reloads all files that have
     /// changed.
     Preparation prepare(const Act& act, FilesSeen found = {}) const;

@@ -25,7 +25,7 @@ struct MessageCoding {
 /// "nezumi_msgs/msg/TimedShortSeq".
 MessageCoding own_coding(const MessageType& type);
 
-/// The coding of a described structure as a message by itself, without a stamp.
+/// The coding of a described structure as a whole message, without a stamp.
 MessageCoding coding_of_structure(const Type& type);
 
 }  // namespace nezumi

@@ -101,7 +101,7 @@ protected:
         : texts_(new Texts{std::move(name), std::move(doc), {}}), type_(type), direction_(direction) {}
 
     static constexpr double shortest_stale = 0.1;  // [s]
-    static constexpr double rounding = 1e-9;       // [s] sums of periods are no exact numbers
+    static constexpr double rounding = 1e-9;       // [s] sums of periods are not exact numbers
 
 private:
     // Data that no tick uses, kept separate from data that ticks use, because the cache can't hold all ports of a

@@ -33,7 +33,7 @@ Robot::~Robot() {
     if (body_ != nullptr) body_->set_wheel_speeds({});
 }
 
-// At first a real robot's motors have no power, whatever they had before: the robot must become ACTIVE.
+// At first a real robot's motors have no power, even if they had it before: the robot must become ACTIVE.
 void Robot::take_body(std::unique_ptr<RobotBody> body) {
     body_ = std::move(body);
     powered_ = has_body() && !is_real();
@@ -273,7 +273,7 @@ void Robot::rearm() {
     actuators_.rearm();
     set_motor_power(!is_real() || state() == LifeState::active);
     if (velocity_in_ == nullptr) return;
-    velocity_in_->clear();  // what was sent before this and has not arrived counts for nothing
+    velocity_in_->clear();  // drops what was sent before this and has not arrived
     velocity_in_->set_note(note_before_stop_);
 }
 

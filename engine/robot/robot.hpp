@@ -30,7 +30,7 @@ public:
     /// Makes the ports of a driver that is a behaviour, and sets a body that uses them; once, before the first tick.
     /// `simulated`: its body in the world; null: it is real.
     void take_scripted_body(std::unique_ptr<RobotBody> simulated);
-    /// Null if its driver is no behaviour.
+    /// Null if its driver is not a behaviour.
     ScriptedBody* scripted_body() { return scripted_; }
     const ScriptedBody* scripted_body() const { return scripted_; }
 
@@ -196,7 +196,7 @@ private:
     std::vector<std::size_t> servos_;    // servos with a parameter for their speed, in the order of the parameters
     std::uint64_t parameters_version_ = 0;
 
-    std::unique_ptr<Twin> twin_;  // none: it is no twin
+    std::unique_ptr<Twin> twin_;  // null: it is not a twin
     Velocity2D measured_;
     std::optional<double> measured_at_;  // [s]
     std::optional<Wheels> told_;

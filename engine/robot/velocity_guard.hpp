@@ -27,7 +27,7 @@ public:
     Verdict command(const Velocity2D& velocity, double now);
     /// Commands a stop.
     void stop() { target_ = {}; }
-    /// Stops at once, without a braking ramp.
+    /// Stops immediately, without a braking ramp.
     void halt() { target_ = current_ = {}; }
 
     /// The velocity at `now` [s]. Calls are `dt` [s] apart, and the last one was `passed` [s] ago: braking counts the

@@ -75,7 +75,7 @@ struct Connect {
 };
 struct Disconnect {
     std::string from;  ///< an out-port
-    std::string to;    ///< an in-port; "": whatever `from`, an out-port or an in-port, is connected to
+    std::string to;    ///< an in-port; "": all ports that `from` (an out-port or an in-port) is connected to
 };
 struct Teleport {
     std::string robot;

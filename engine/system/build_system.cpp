@@ -21,7 +21,7 @@ Unexpected at(const Place& place, const Error& error) {
 
 std::string_view backend_of(const std::string& backend) { return backend.empty() ? simulated : backend; }
 
-// Why there is no such name among those that there are.
+// The error for a name that does not exist, with the nearest or all existing names.
 std::string no_such(std::string_view kind, std::string_view name, const std::vector<std::string_view>& names) {
     std::string hint = did_you_mean(name, names);
     if (hint.empty() && !names.empty())

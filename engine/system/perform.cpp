@@ -60,7 +60,7 @@ Expected<ActResult> send(System& system, const Message& act) {
     return port ? send(**port, act.port, act.value) : Unexpected(port.error());
 }
 
-// A hold on a port is that of one alone.
+// At most one actor holds a port.
 Expected<void> check_holder(const System& system, const std::string& path, const Actor& who) {
     const Actor* holder = system.holder(path);
     if (holder == nullptr || *holder == who) return {};
@@ -85,7 +85,7 @@ Expected<ActResult> with_component(System& system, const std::string& name, cons
     return result_of(action(**component));
 }
 
-// A robot that can be moved from outside, and by whom.
+// A robot that can be moved from outside, and what moves it.
 struct HandledRobot {
     const Robot* robot;
     World* world;

@@ -10,20 +10,21 @@ namespace nezumi {
 
 struct Question {
     enum class What : std::uint8_t {
-        look,  ///< what is of this name, and its value: `read_snapshot`
+        look,  ///< the kind and the value of this name: `read_snapshot`
         activate,
         deactivate,
         reset,
         use,      ///< of a named set
         set,      ///< of a parameter
         command,  ///< whose results are the answer
-        port,     ///< what it carried last: its stamp [s], how many messages came, and the value as a text
-        curves,   ///< what was carried in the last seconds under a name: `read_curves`
+        port,     ///< its last message: stamp [s], number of messages so far, and the value as text
+        curves,   ///< the values of a name in the last seconds: `read_curves`
         connect,  ///< another port to this in-port
         disconnect,
-        show,   ///< what is of this name as a text, as a console there shows it
-        help,   ///< what there is to say of it
-        names,  ///< what it has, those that are not called and those that are; of what is plotted if a value says so
+        show,   ///< this name as text, as a console on that host shows it
+        help,   ///< its help text
+        names,  ///< the names of its children: those without a call, then methods and commands; names for plots if a
+                ///< value says so
     };
     std::string host;
     std::string component;

@@ -1,4 +1,4 @@
-// A test rig: devices beside real robots that know what a simulation knows of simulated ones.
+// A test rig: devices that observe real robots and know what a simulation knows of simulated robots.
 #pragma once
 
 #include <algorithm>

@@ -211,7 +211,7 @@ private:
     std::vector<Group> groups_;
     std::uint64_t layout_ = 0;
     bool grouped_ = false;                               // whether groups_ is up to date with components_ and wiring_
-    std::map<std::string, Actor, std::less<>> holders_;  // by "name.port"; of one that nothing is put on: whose it was
+    std::map<std::string, Actor, std::less<>> holders_;  // by "name.port"; of a port without override: its last holder
     bool stopped_ = false;
     std::atomic<bool> out_of_time_ = false;
     std::vector<PortObserver*> observers_;

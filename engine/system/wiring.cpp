@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-// The error for a missing port, with the most similar name, or else all names.
+// The error for a missing port, with the most similar name, otherwise with all names.
 std::string no_port(const Component& component, Direction direction, std::string_view name) {
     const std::string_view kind = direction == Direction::in ? "in-port" : "out-port";
     const auto names = port_names(component, direction);

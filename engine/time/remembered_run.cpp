@@ -1,4 +1,4 @@
-// A branch keeps what is its own; what was before it is its parent's.
+// A branch stores only its own part; its parent has the time before.
 #include "engine/time/remembered_run.hpp"
 
 #include <fmt/format.h>
@@ -69,7 +69,7 @@ void RememberedRun::note_row(Branch& branch, const ActTime& now, const System& s
 void RememberedRun::note_things(Branch& branch, Row& row, const World& world) {
     const std::vector<ThingPose> things = world.things();
     const std::size_t known = things_.size();
-    // After a restart or a seek, what stood there before is not this row's past.
+    // After a restart or a seek, the earlier positions do not belong to the past of this row.
     const bool goes_on = std::exchange(things_generation_, generation_) == generation_ && !branch.rows.empty();
     things_.resize(things.size());
     for (std::size_t index = 0; index < things.size(); ++index) {

@@ -181,7 +181,7 @@ void Channel::visit_latest(const LeafVisitor& given) const {
 bool Channel::has_pictures() const { return is_port() && node_->port()->type() == message_of<CameraImage>(); }
 
 void Channel::append_to(Series& series, double seconds) const {
-    // A parameter gets one sample at once, before it changes.
+    // A parameter gets one sample immediately, before it changes.
     const std::size_t messages_now = exists() && holds() && series.size() == 0 ? 1 : fresh_;
     if (messages_now == 0) return;
     std::array<double, Series::most_values> values;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below

@@ -49,7 +49,7 @@ public:
     bool exists() const { return kind_ != Kind::none; }
     /// There was a value since the start.
     bool has_value() const { return has_value_; }
-    /// Number of messages in the last latched tick; a value that is no port has one if it has changed.
+    /// Number of messages in the last latched tick; a value that is not a port has one if it has changed.
     std::size_t fresh() const { return fresh_; }
     /// Number of ticks with new messages, for readers that do not read in every tick.
     std::uint64_t turn() const { return turn_; }

@@ -56,7 +56,7 @@ public:
         const Series* series;
         std::string name;    ///< under which it is remembered: `whole`, or that of the part
         std::string whole;   ///< of what the series is: "controller.out"
-        std::string part;    ///< labels within this are meant; "" for all
+        std::string part;    ///< selects the labels within this; "" for all
         bool holds = false;  ///< as `Channel::holds`
     };
     Expected<Remembered> remember_part(std::string_view name);

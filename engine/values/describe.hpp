@@ -13,7 +13,7 @@ namespace nezumi {
 /// The allowed numbers of a field in a message.
 enum class Numbers {
     finite,
-    any,  ///< infinite ones, and what is no number, mean something
+    any,  ///< infinity and NaN are allowed and mean something
 };
 
 /// One field of a structure: its name in scripts and files, its member, its unit ("" for none) and its meaning.

@@ -1,4 +1,4 @@
-// The common base of components that analyse pictures: one detection at a time, beside the ticks.
+// The common base of components that analyse pictures: one detection at a time, in another thread.
 #pragma once
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ protected:
     /// Prepares the detection in this picture. The error says why nothing can be detected; it is logged once. The
     /// picture belongs to the port, and may change while the task runs. So the task uses a copy in memory of the
     /// component, which takes 0.03 ms of a tick at 640 x 480 in colour, and does the rest (smoothing alone takes twenty
-    /// times as long) beside the tick.
+    /// times as long) in another thread.
     virtual Expected<DetectionTask> detection_task(const CameraImage& image) = 0;
     /// Writes a result, which gets the time stamp of its picture.
     virtual void publish(const Seen& seen) = 0;

@@ -1,4 +1,4 @@
-// The camera of a picture is determined in the tick; the tags are searched beside the ticks.
+// The camera of a picture is determined in the tick; the tags are searched in another thread.
 #include "engine/vision/marker_detector.hpp"
 
 #include <fmt/format.h>

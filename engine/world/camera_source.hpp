@@ -52,7 +52,7 @@ public:
     virtual ~CameraSource() = default;
     /// Intrinsics of all its pictures; unknown if `fx` is 0.
     virtual CameraIntrinsics intrinsics() const = 0;
-    /// Whether it is a device that takes pictures by itself. Then `expose` is called in every tick, and `develop` is
+    /// Whether it is a device that takes pictures on its own. Then `expose` is called in every tick, and `develop` is
     /// fast.
     virtual bool is_device() const { return false; }
     /// Stores the present view; fast, in the ticking thread. Returns the time [s] of the picture: now in a simulation;

@@ -101,10 +101,10 @@ struct MazeProblem {
 ///     o   o---o
 ///     | S |   |
 ///     o---o---o
-/// The first row's posts tell how many signs wide a cell is: 4 in the drawings of contests, 2 or more. Posts may be any
-/// sign, or blanks. S and G mark start and goals, in lower case too; other letters and digits in cells mean nothing.
-/// Blanks at the end of a row may be missing, all rows may be indented, tabs reach to the next cell, rows may end with
-/// CR.
+/// The first row's posts show how many characters wide a cell is: 4 in the drawings of contests, 2 or more. Posts may
+/// be any sign, or blanks. S and G mark start and goals, in lower case too; other letters and digits in cells mean
+/// nothing. Blanks at the end of a row may be missing, all rows may be indented, tabs reach to the next cell, rows may
+/// end with CR.
 tl::expected<Maze, MazeProblem> read_drawing(std::vector<std::string> rows);
 
 /// The drawing of contests, with this sign for the posts.

@@ -1,4 +1,4 @@
-// Mazes as drawings in text: reads those of contests, whatever their posts and ends of lines, and writes them.
+// Mazes as drawings in text: reads those of contests, with any posts and line ends, and writes them.
 #include <fmt/format.h>
 
 #include <algorithm>

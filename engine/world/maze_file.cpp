@@ -1,4 +1,4 @@
-// The content tells the format: bytes that are no text, lines of six numbers, or a drawing.
+// The content tells the format: bytes that are not text, lines of six numbers, or a drawing.
 #include "engine/world/maze_file.hpp"
 
 #include <fmt/format.h>

@@ -10,8 +10,8 @@
 
 namespace nezumi {
 
-/// Reads a maze from the content of a file, whatever its name ends in:
-/// - a drawing, as `read_drawing` reads it. Text before and after it is no part of it.
+/// Reads a maze from the content of a file with any name:
+/// - a drawing, as `read_drawing` reads it. Text before and after it is ignored.
 /// - 256 bytes (16 x 16 cells) or another square number: a byte for each cell, columns from the west, each from the
 /// south.
 ///   The bits 1, 2, 4 and 8 are walls in the north, east, south and west.

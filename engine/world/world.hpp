@@ -64,8 +64,8 @@ struct SensorReading {
 
 /// One robot's hull, wheels and devices, which a driver or a simulator provides for the engine's `Robot`. `Robot` adds
 /// ports, safety and odometry. No function here waits for a device: a reading is the latest one, and commands are sent
-/// in the background. Called at least once per tick. Several robots may be used at once by as many threads, some
-/// sensing while others act: commands become effective in the next step of the world, and are invisible to others
+/// in the background. Called at least once per tick. Several robots may be used at the same time by as many threads,
+/// some sensing while others act: commands become effective in the next step of the world, and are invisible to others
 /// before.
 class RobotBody {
 public:

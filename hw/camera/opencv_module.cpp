@@ -50,7 +50,7 @@ public:
             std::vector<int> ready;
             if (cv::VideoCapture::waitAny(captures_, ready, static_cast<std::int64_t>(seconds * 1e9)))
                 return Wait::frame;
-            // A device that has gone returns at once.
+            // A device that has gone returns immediately.
             const double waited = static_cast<double>(cv::getTickCount() - begin) / cv::getTickFrequency();
             return waited < seconds / 2 ? Wait::failed : Wait::nothing;
         } catch (const cv::Exception&) {

@@ -1,4 +1,4 @@
-// Reports a loss at once, and a recovery when it has lasted.
+// Reports a loss immediately, and a recovery when it has lasted.
 #include "hw/device/health.hpp"
 
 #include <iterator>

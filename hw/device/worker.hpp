@@ -41,7 +41,7 @@ public:
     /// Time [s] for a thread to end. After that it is abandoned: it hangs in the kernel.
     static constexpr double patience = 1.0;
 
-    /// Starts at once. Throws std::system_error if no thread can be made.
+    /// Starts immediately. Throws std::system_error if no thread can be made.
     explicit DeviceWorker(std::unique_ptr<DeviceJob> job);
     ~DeviceWorker();
     DeviceWorker(const DeviceWorker&) = delete;

@@ -73,8 +73,8 @@ public:
     /// `folder` of the class power_supply.
     explicit Battery(const DevicePath& folder);
 
-    /// Low means below its design minimum (`voltage_min_design`, or else 6.2 V for six alkaline cells) for `low_after`
-    /// [s], until it is `margin` [V] above.
+    /// Low means below its design minimum (`voltage_min_design`, otherwise 6.2 V for six alkaline cells) for
+    /// `low_after` [s], until it is `margin` [V] above.
     static constexpr double low_after = 2, margin = 0.2, least = 6.2;
 
     /// Any thread may call these.

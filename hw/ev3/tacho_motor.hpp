@@ -10,8 +10,8 @@
 
 namespace nezumi::hw {
 
-/// Reads and writes at once, so it needs a thread that may block. Errors say what to do. After an error, call `find`
-/// again.
+/// Reads and writes immediately, so it needs a thread that may block. Errors say what to do. After an error, call
+/// `find` again.
 class TachoMotor {
 public:
     /// `folder` of the class; `driver` as "lego-ev3-l-motor"; `port` as "outB".

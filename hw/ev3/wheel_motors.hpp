@@ -23,7 +23,7 @@ namespace nezumi::hw {
 
 /// A job that executes the newest command. A wheel with rate 0 is held. If a motor fails, both are stopped
 /// independently, and are searched for every half second. The kernel stops a motor whose command is not repeated in
-/// time; so they stop even if engine and guard are killed at once.
+/// time; so they stop even if engine and guard are killed at the same time.
 class WheelMotors final : public DeviceJob {
 public:
     /// The command of the control loop.

@@ -18,10 +18,10 @@
 
 namespace nezumi::hw {
 
-/// If the engine ends for any reason, the guard notices at once and stops the motors. If the engine stalls, the guard
-/// misses its beats and stops them. If the guard ends, stalls or can't stop the motors, the engine notices and must
-/// stop them. Nothing is guaranteed if both are killed at once. Use one thread; only `start`, and `take_up` of a node
-/// without proof, may be called on another one.
+/// If the engine ends for any reason, the guard notices immediately and stops the motors. If the engine stalls, the
+/// guard misses its beats and stops them. If the guard ends, stalls or can't stop the motors, the engine notices and
+/// must stop them. Nothing is guaranteed if both are killed at the same time. Use one thread; only `start`, and
+/// `take_up` of a node without proof, may be called on another one.
 class Guard {
 public:
     /// Takes the lease on the robot that `driver` reaches by `node` and forks the guard, without nodes at first. Call

@@ -13,7 +13,7 @@ namespace nezumi::hw {
 
 /// How a guard proves, without writing, that it could write to a node (docs/hardware.md describes it for each driver).
 enum class Proof : std::uint8_t {
-    none,         ///< no proof: this motion ends by itself
+    none,         ///< no proof: this motion ends on its own
     is_there,     ///< the node of the guard's descriptor has not been removed
     empty_write,  ///< as above, and the node's driver accepts a write of no bytes
 };

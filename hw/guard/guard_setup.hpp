@@ -1,4 +1,4 @@
-// What all processes do that outlive the engine to stop something.
+// The setup of the processes that outlive the engine in order to stop something.
 #pragma once
 
 #include <cstddef>

@@ -83,7 +83,7 @@ std::vector<std::string> PlayedFiles::finish() {
 
 PlayedFiles::Track& PlayedFiles::track(Kind kind, const std::string& path) { return tracks_[{kind, path}]; }
 
-// The last call that has begun by now, or else the first. Null: there is none.
+// The last call that has begun by now, otherwise the first. Null: no call.
 const DeviceCall* PlayedFiles::newest(const Track& track) const {
     if (track.calls.empty()) return nullptr;
     const auto next = std::upper_bound(track.calls.begin(), track.calls.end(), now() + patience,

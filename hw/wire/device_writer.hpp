@@ -17,8 +17,8 @@
 namespace nezumi::hw {
 
 /// If the engine ends for any reason, the process sends the safe bytes. If the engine stalls, the process misses its
-/// beats and does the same. Nothing is guaranteed if both are killed at once. No function blocks. Any thread may call
-/// them.
+/// beats and does the same. Nothing is guaranteed if both are killed at the same time. No function blocks. Any thread
+/// may call them.
 class DeviceWriter {
 public:
     /// Forks the process, without a device at first. Call it on the program's main thread: when the calling thread

@@ -51,7 +51,7 @@ public:
     }
     /// Only one program may write to a device. Of nothing if there is no such device.
     virtual Expected<Lease> lease() const { return Lease::of_nothing(); }
-    /// The bytes of a message; an error if it is no message for this device.
+    /// The bytes of a message; an error if it is not a message for this device.
     virtual OrWhy<std::string> encode(std::string_view message) const { return std::string(message); }
     /// The bytes of `safe`.
     virtual std::string encode_safe(std::string_view safe) const { return std::string(safe); }

@@ -9,7 +9,7 @@
 
 namespace nezumi::hw {
 
-/// Opens a device with the driver of its kind. Fails if the device is no such device, if another program
+/// Opens a device with the driver of its kind. Fails if the device is of another kind, if another program
 /// writes to it, or if it has safe bytes and is missing. A device that only measures may come later. A device that was
 /// unplugged is looked for every half second.
 Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const Parameters& parameters,

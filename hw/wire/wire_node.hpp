@@ -12,7 +12,7 @@ namespace nezumi::hw {
 /// Which nodes are of a kind of device.
 struct NodeKind {
     std::string subsystem;  ///< of the kernel, as in /sys/class: "i2c-dev"; "": not checked
-    std::string what;       ///< "serial line"
+    std::string what;       ///< "a serial line"
     std::string example;    ///< "/dev/ttyACM0"
     std::string when_missing;
     std::string group;    ///< of the users that may use it: "dialout"
@@ -31,7 +31,7 @@ OrWhy<WireNode> open_node(const std::string& path, const DeviceRoots& roots, con
 
 /// An error of a node, with what to do.
 std::string with_wire_advice(const std::string& path, int error, const NodeKind& kind);
-/// "/dev/null: it is no serial line: expected a device such as /dev/ttyACM0".
+/// "/dev/null: it is not a serial line: expected a device such as /dev/ttyACM0".
 std::string not_of_kind(const std::string& path, const NodeKind& kind);
 
 /// A plain file in place of a device: it has the last message, and nothing is read from it.

@@ -14,7 +14,7 @@ inline constexpr std::size_t most_pwm_channels = 8;
 /// How a message is written.
 enum class WriteBy : std::uint8_t {
     stream,        ///< a stream of bytes, which may take a part of them
-    datagram,      ///< a socket: a message is sent whole or not at all, and its loss is no fault
+    datagram,      ///< a socket: a message is sent whole or not at all, and its loss is not an error
     plain,         ///< a plain file, which has only the last message
     i2c,           ///< one transaction with an address on an I2C bus
     spi,           ///< one transfer on SPI

@@ -38,7 +38,7 @@ public:
         count_ = 0;
         safe_size_ = std::min(size - order.end_size, longest_safe);
         std::memcpy(safe_.data(), bytes + order.end_size, safe_size_);
-        // Ends a message that was torn before, whatever the cause.
+        // Ends a message that was cut off before, for any reason.
         if (safe_size_ > 0) add(bytes, order.end_size);
         add_safe();
     }

@@ -1,4 +1,4 @@
-// Somebody else's program that needs messages and ports only.
+// A program of another project that needs only messages and ports.
 #include <cstdio>
 
 #include "engine/ports/port.hpp"

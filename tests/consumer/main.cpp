@@ -1,4 +1,4 @@
-// Somebody else's program: runs the installed tutorial for ten simulated seconds and looks where the mouse got to.
+// A program of another project: runs the installed tutorial for ten simulated seconds and looks where the mouse got to.
 #include <nezumi/nezumi.hpp>
 
 #include <cstdio>

@@ -83,7 +83,7 @@ scenario("a line on the floor is seen from above", function(s)
   s:check(mouse.below.value < 20, "the line is dark")
 end)
 
-scenario("the robot of a system stops short of its wall as well, whatever it is like", {
+scenario("the robot of a system also stops short of its wall, with any changes", {
   timeout = 60,
   sweep = { noise = range(0, 0.1), friction = range(0.3, 1), mass = range(0.6, 0.9) },
   samples = 5,

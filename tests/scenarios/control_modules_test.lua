@@ -24,7 +24,7 @@ scenario("angles wrap into one turn, pi itself stays", function(s)
   s:near(angles.difference(0.25, 1), 0.75, 1e-12)
 end)
 
-scenario("a mean of angles is one across the seam, and none where they cancel out", function(s)
+scenario("a mean of angles works across pi, and is nil if the angles cancel out", function(s)
   s:near(math.abs(angles.mean { math.pi - 0.1, -math.pi + 0.1 }), math.pi, 1e-12)
   s:near(angles.mean { 0.2, 0.4 }, 0.3, 1e-12)
   s:near(angles.mean { 2 }, 2, 1e-12)
@@ -107,7 +107,7 @@ scenario("wrong options and arguments of a PID controller are refused", function
   equal(s, said(function() pid { kp = 1 }:update(1, 1, 0) end), "pid: dt expected a number above 0, got 0")
 end)
 
-scenario("a low pass lets 63 % of a step through in its time, whatever the steps are", function(s)
+scenario("a low pass lets 63 % of a step through in its time constant, for any period", function(s)
   for _, dt in ipairs { 0.5, 0.05, 0.001 } do
     local filter = filters.low_pass { time = 0.5 }
     s:near(filter:update(2, dt), 2, 1e-12, "it begins with its first value")

@@ -122,7 +122,7 @@ scenario("a gyro measures its rate, and a light sensor distinguishes a dark room
   s:near(ev3.light_ambient.value, 10, 2)
 end)
 
-scenario("the EV3 sees colours and light of the floor, and none beside it", { timeout = 30 }, function(s)
+scenario("the EV3 sees colours and light of the floor, and none outside of it", { timeout = 30 }, function(s)
   s:arena { s:floor { image = "stripes.png", size = { 1.6, 0.4 } } }
   local ev3 = alone(s, { x = -0.7, y = 0, heading = 0 })
   local names = { "black", "blue", "green", "yellow", "red", "white", "brown", "white" }

@@ -78,7 +78,7 @@ scenario("the hat rover's driver sets its motors by the registers of their chann
   sets(0.00008, 0, channel(1), OFF, ON, ON, OFF, channel(1))
 end)
 
-scenario("the hat rover's driver wakes a hat that sleeps, and only such a one", { timeout = 5 }, function(s)
+scenario("the hat rover's driver wakes a hat only if it sleeps", { timeout = 5 }, function(s)
   local driver = s:behavior "driver" { script = "hat_rover_driver" }
   local kept = s:behavior "kept" { script = "keeps_all" }
   s:connect("driver.hat_out", "kept.bytes")

@@ -192,7 +192,7 @@ scenario("clearance keeps off walls, and lets a robot leave one", function(s)
   equal(s, reason, "the goal is blocked")
 end)
 
-scenario("the cells within the clearance of an occupied one are blocked, whatever the size of cells, and no others", function(s)
+scenario("exactly the cells within the clearance of an occupied cell are blocked, for any size of cells", function(s)
   for _, clearance in ipairs { 0, 1, 1.5, 3 } do
     for _, place in ipairs { { 4, 4 }, { 1, 1 }, { 7, 2 } } do
       local map = grid { columns = 7, rows = 7, cell = 0.5 }
@@ -209,7 +209,7 @@ scenario("the cells within the clearance of an occupied one are blocked, whateve
   end
 end)
 
-scenario("where there is no way it says why", function(s)
+scenario("a search without a result gives the reason", function(s)
   local map = drawn(". .", "###", "...")
   local function reason(from, to, options) return select(2, path.find(map, from, to, options)) end
   equal(s, reason({ x = 0.5, y = 0.5 }, { x = 0.5, y = 2.5 }), "there is no way")
@@ -220,7 +220,7 @@ scenario("where there is no way it says why", function(s)
   equal(s, reason({ x = 0.5, y = 2.5 }, { x = 2.5, y = 2.5 }, { unknown = "blocked" }), "there is no way")
 end)
 
-scenario("of ways that are equally short the same is taken each time", function(s)
+scenario("the same one of several equally short ways is chosen each time", function(s)
   local map = drawn(".......", ".......", ".......", ".......", ".......")
   local function corners(from_x, from_y, to_x, to_y)
     local text = {}

@@ -32,7 +32,7 @@ scenario("drives to its distance first, then turns to its side", { timeout = 30 
   expect(0.2, -0.5, -0.1, 0)
 end)
 
-scenario("keeps what its configuration says", { timeout = 30 }, function(s)
+scenario("keeps the distance that its configuration says", { timeout = 30 }, function(s)
   local _, told = follower_alone(s, {
     x_distance = 1.0, y_distance = 0.2, x_speed = 0.3, r_speed = 0.5, error_range_x = 0.2, error_range_y = 0.1,
   })

@@ -224,7 +224,7 @@ scenario("walls at the sides put the mouse into the middle of its lane, one ahea
   learns(seen(far, far, 0.01, far), 0, 0.01 * half, 0)
   learns(seen(far, 0.01, -0.02, far), 0, -0.03 * half, 0)
   learns(seen(far, 0.027, far, far), 0, -0.027 * half, 0)
-  learns(seen(far, 0.029, far, far), 0, 0, 0) -- too far: that is no wall
+  learns(seen(far, 0.029, far, far), 0, 0, 0) -- too far: that is not a wall
   learns(seen(far, -0.029, far, far), 0, 0, 0)
   learns(seen(0.03, 0.01, far, far), 0, 0, 0) -- something ahead
   learns(seen(far, 0.01, far, 0.03), 0, 0, 0)

@@ -33,7 +33,7 @@ scenario("poses in the plane are composed, inverted and related", function(s)
   s:near(back.y, 0, 1e-12)
 end)
 
---- Angles that are no special ones, and those where x points straight up and down.
+--- Angles that are not special, and those where x points straight up and down.
 local in_space = {
   poses.space(1, -2, 0.5, 0.3, -0.4, 2.9),
   poses.space(0, 1, 2, -1.2, 1.1, -0.7),

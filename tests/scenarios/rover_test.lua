@@ -111,7 +111,7 @@ scenario("the rover's driver sends its speeds as a line in each execution", { ti
   s:check(driver.line_out.age < 0.02)
 end)
 
-scenario("the rover's microcontroller does what a line says, until none comes", { timeout = 5 }, function(s)
+scenario("the rover's microcontroller does what a line says, and stops without lines", { timeout = 5 }, function(s)
   local model, kept = s:behavior "model" { script = "rover_firmware" }, s:behavior "kept" { script = "keeps_all" }
   s:connect("model.line_out", "kept.texts")
   s:equal(model.config.volts, 7.4)

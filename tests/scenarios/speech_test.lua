@@ -1,6 +1,6 @@
 --- SpeechSample by itself, then the system in which the EV3 speaks.
 
-scenario("sends on what was said, once each", function(s)
+scenario("forwards each text once", function(s)
   s:behavior("speech", { script = "speech_sample" })
   s:run(0.5)
   s:check(s.speech.out.age == math.huge, "silent until somebody speaks")
@@ -23,7 +23,7 @@ scenario("a text arrives unchanged, with any characters", function(s)
   s:check(world.speech.status == "ACTIVE" and world.ev3.status == "ACTIVE")
 end)
 
-scenario("several texts of one moment are all said, in order", function(s)
+scenario("several texts of one moment are all spoken, in order", function(s)
   local world = s:load "systems/speech.lua"
   world.speech:say "one"
   world.speech:say "beep"

@@ -9,7 +9,7 @@ local function told(s, readings)
   return s.walker.out.value
 end
 
-scenario("a robot of a swarm turns away from what is near, and goes on past what is not", function(s)
+scenario("a robot of a swarm turns away from near things, and passes far things", function(s)
   local walker = s:behavior "walker" { script = "swarm" }
   s:equal({ walker.config.speed, walker.config.track }, { 0.05, 0.14 })
   local function turns(side, readings)

@@ -121,7 +121,7 @@ function poses.compose(frame, pose)
   return compose(frame, pose)
 end
 
---- Where the world is, as seen from `pose`: composed with `pose` it is no move at all.
+--- Where the world is, as seen from `pose`: composed with `pose` it does not move anything.
 function poses.inverse(pose)
   is_in_space("poses.inverse", pose)
   return inverse(pose)

@@ -63,7 +63,7 @@ function Machine:current() return self.memory.current end
 
 --- `state_machine({ initial = "search", states = { search = { enter =, execute =, exit = }, ... } }, state.mode)`.
 --- A state may also be a function, its `execute`. After a reload it goes on in its present state, which is not entered
---- again; where that is no state any more, it begins with `initial`.
+--- again; if that state does not exist any more, it begins with `initial`.
 ---@param options { initial: string, states: table<string, table|fun(seconds: number): string?> }
 ---@param memory table?
 ---@return nezumi.StateMachine

@@ -30,7 +30,7 @@ inline constexpr std::string_view no_simulation =
     "this build of nezumi is for real robots only, without simulation, vision and pictures: use another computer; here "
     "you can use `nezumi run FILE --hw`";
 
-/// Returns this error in such a program if a use of one of these is requested; it names the first one.
+/// Returns this error in such a program if one of these is requested; it names the first one.
 Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view, bool>> uses);
 
 /// Says on standard error why something can't be done: one plain line. Returns `exit_could_not_run`.

@@ -29,7 +29,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
 std::atomic<int> second_signal = 0, is_watched = 0, is_over = 0;
 
-// Time limits for completing files at once, and for writing a line.
+// Time limits for completing files after a second signal, and for writing a line.
 constexpr std::chrono::milliseconds longest_completion{1000}, longest_telling{100};
 
 void take(int signal) {

@@ -1,4 +1,4 @@
-// Signals such as Ctrl-C: the first one ends a run in order, within 2 s; the second one at once, but with complete
+// Signals such as Ctrl-C: the first one ends a run in order, within 2 s; the second one immediately, but with complete
 // files.
 #pragma once
 

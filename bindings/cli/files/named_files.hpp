@@ -9,14 +9,14 @@
 
 namespace nezumi::cli {
 
-/// Finds the system file "corridor": the path from the working directory, or else the result of `Project::find` in the
-/// project of the working directory. An unknown path or name is an error with the most similar one.
+/// Finds the system file "corridor": the path from the working directory, otherwise the result of `Project::find` in
+/// the project of the working directory. An unknown path or name is an error with the most similar one.
 Expected<std::filesystem::path> find_system_file(const std::string& given);
 
 /// Finds a behaviour in this way.
 Expected<std::filesystem::path> find_behavior_file(const std::string& given);
 
-/// Finds a Lua file of any kind: a behaviour, a system, a robot, a module, or else all scenario files of this
+/// Finds a Lua file of any kind: a behaviour, a system, a robot, a module, otherwise all scenario files of this
 /// name.
 Expected<std::vector<std::filesystem::path>> find_lua_files(const std::string& given);
 

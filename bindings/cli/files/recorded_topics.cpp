@@ -169,7 +169,7 @@ Expected<RecordedPorts> read_topics(const McapFile& recording, const std::string
     const TopicReader reader(recording, name, rate);
     RecordedPorts ports;
     for (const auto& [number, channel] : recording.channels) {
-        // Values by name are no messages of a port.
+        // Values by name are not messages of a port.
         if (channel.schema.name == record::NamedValues::type_name || channel.topic == record::journal_topic) continue;
         auto at = port_of_topic(channel.topic);
         if (const auto named = names.find(channel.topic); named != names.end()) {

@@ -1,4 +1,4 @@
-// A recording is known by its first bytes, whatever its name is.
+// A recording is recognized by its first bytes, not by its name.
 #include "bindings/cli/files/run_file.hpp"
 
 #include "bindings/journal/replay.hpp"

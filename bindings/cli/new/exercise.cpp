@@ -1,4 +1,4 @@
-// The templates of an exercise: a mouse that shall drive to a line of its own.
+// The templates of an exercise: a mouse that must drive to a line.
 #include "bindings/cli/new/exercise.hpp"
 
 #include <fmt/format.h>

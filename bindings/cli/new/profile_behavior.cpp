@@ -30,7 +30,7 @@ using Json = nlohmann::ordered_json;
 constexpr double usual_rate = 100;  // [Hz] of a system's tick
 constexpr std::size_t longest_name = 80;
 
-// Letters, digits and underscores, beginning with none of the digits.
+// Letters, digits and underscores, not beginning with a digit.
 std::string word_of(std::string_view given) {
     std::string word(given.substr(0, longest_name));
     std::replace_if(
@@ -40,7 +40,7 @@ std::string word_of(std::string_view given) {
     return word;
 }
 
-// A name that a port or a parameter may have, and none of `taken` has.
+// A name that a port or a parameter may have, and that is not in `taken`.
 std::string new_name(std::string_view given, bool may_be_keyword, std::vector<std::string>& taken) {
     std::string name = word_of(given);
     const auto& members = names_taken_by_components();

@@ -15,7 +15,8 @@ namespace nezumi::cli {
 using BehaviorFinder = std::function<std::unique_ptr<Script>(const std::string& script)>;
 
 /// A system file in which components whose types are behaviours are these behaviours, with their configuration; all
-/// others stay RTCs, to which they are connected. What can't be said in it is a comment, and a line of `remarks`.
+/// others stay RTCs, to which they are connected. Things that a system file can't express become comments and lines of
+/// `remarks`.
 std::string system_text_of(const openrtm::SystemProfile& profile, const BehaviorFinder& find,
                            std::vector<std::string>& remarks);
 

@@ -1,4 +1,4 @@
-// `--record`: what a system carried, as CSV with a row for every tick, written beside the ticks.
+// `--record`: what a system carried, as CSV with a row for every tick, written by a thread of its own.
 #pragma once
 
 #include <chrono>

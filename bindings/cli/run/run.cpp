@@ -1,4 +1,4 @@
-// The pieces of a run in the order in which they are opened, and ended whatever holds one of them.
+// The pieces of a run in the order in which they are opened. They are ended even if one of them blocks.
 #include "bindings/cli/run/run.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@
 namespace nezumi::cli {
 namespace {
 
-// Robots that brake longer than this [s] of simulated time are pushed: nobody waits for them.
+// Robots that brake longer than this [s] of simulated time are pushed by something: the run does not wait for them.
 constexpr double longest_braking = 1;
 
 // How long standard output waits for standard error, so that a terminal shows both in order.
@@ -62,7 +62,7 @@ bool all_stand(const System& system) {
     return true;
 }
 
-// Deactivates everything and lets the robots brake. Who sends SIGTERM wants an end now: real ones stand with the next
+// Deactivates everything and lets the robots brake. SIGTERM asks for an immediate end: real ones stop with the next
 // tick, which does not wait for its time.
 void stop(RunLoop& loop, int signal) {
     const bool at_once = signal == SIGTERM;
@@ -202,7 +202,7 @@ private:
         if (journal_.error()) return give_up(*journal_.error());
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
 
-        // A run of a given length shows the world as it is then, whether --duration or commands said how long it is;
+        // A run of a given length shows the world at its end, if --duration or commands gave the length;
         // one that was ended shows it when the robots stand.
         const bool of_given_length = journal_.is_of_given_length(
             !loop.interrupted() && (options_.batch || live_->system().now().seconds >= options_.duration - 1e-9));
@@ -255,7 +255,7 @@ private:
         return live;
     }
 
-    // A robot that stands for want of a line in the file.
+    // A robot that does not move because a line in the file is missing.
     void tell_undriven() {
         if (options_.batch) return;
         for (const Robot* robot : live_->system().robots()) {
@@ -282,7 +282,7 @@ private:
         console_->server().ask_peers_by(peer_asker());
         loop_->after_tick([this] { console_->after_tick(); });
         if (options_.batch) loop_->end_waits_while([this] { return console_->is_batch_running(); });
-        // A run that nobody can attach to is better than none.
+        // A run without consoles is better than no run.
         if (auto ok = console_->listen(); !ok) screen_.say("no console can attach: " + ok.error().message);
         if (options_.batch) return console_->open_batch();
         const std::string page = open_web();
@@ -319,7 +319,7 @@ private:
         return {};
     }
 
-    // The run is none: no file is left that could be taken for its result. The rows that are whole stay, with a note.
+    // The run has failed: no file stays that looks like a result. Complete rows stay, with a note.
     Expected<int> give_up(const Error& error) {
         std::string why = visible(describe(error));
         std::replace(why.begin(), why.end(), '\n', ' ');

@@ -20,7 +20,7 @@ struct PageSockets {
     std::string fingerprint{};  ///< of the certificate; "" for none
 };
 Expected<PageSockets> sockets_of(const Web& web);
-/// What is said of a certificate, with its fingerprint.
+/// The message about a certificate, with its fingerprint.
 std::string about_certificate(const std::string& fingerprint);
 
 class RunWeb final : public Attendant {

@@ -80,7 +80,7 @@ std::string lost_file(const SubCommand& command) {
         for (const Option& other : command.options) {
             if (&other == &option || other.file == FileUse::none || file_of(other).empty()) continue;
             if (!is_same(file, file_of(other))) continue;
-            // A name that is looked up elsewhere is no file here.
+            // A name that is looked up elsewhere is not a file here.
             if (other.file == FileUse::source && !std::filesystem::exists(file)) continue;
             return other.file == FileUse::result
                        ? fmt::format("{} and {} would write the same file, '{}': give each its own", name,

@@ -38,7 +38,7 @@ public:
     void tick(RunningSystem& live) override {
         if (!loop_) open(live);
         if (!is_left() && loop_->next_tick()) return;
-        live.tick();  // nobody looks on
+        live.tick();  // no spectator watches
     }
 
     void log(const LogLine& line) override {

@@ -252,7 +252,7 @@ Expected<void> enter_project(TestOptions& command) {
     return {};
 }
 
-// Tells what the session came to, and writes what was asked for.
+// Reports the results of the session, and writes the requested files.
 int finish(const TestOptions& command, SessionEnd end) {
     if (!command.junit.empty()) {
         if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());

@@ -36,7 +36,7 @@ struct TestOptions {
     std::string rig, dev_root, sys_root;
 };
 
-/// Runs scenarios, each in a process of its own, or tells what was kept of them. Returns the exit status.
+/// Runs scenarios, each in a process of its own, or reports their stored results. Returns the exit status.
 int test(TestOptions command);
 
 }  // namespace nezumi::cli

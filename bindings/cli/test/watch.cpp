@@ -1,4 +1,4 @@
-// Looks at the times of files, because runs are made by processes, and a thread that watches would be lost in them.
+// Looks at the times of files, because runs are forked processes, which do not inherit a watching thread.
 #include "bindings/cli/test/watch.hpp"
 
 #include <algorithm>

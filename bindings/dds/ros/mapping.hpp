@@ -24,7 +24,7 @@ public:
     /// Sends what has come. `offset` [s]: what ROS calls now, less what the system does. `measured`: what the wheels of
     /// the robot that it comes from do, if it comes from one.
     virtual void send(double offset, const Velocity2D* measured) = 0;
-    /// Sends a zero in the place of what has come. `stamp` [s]: what ROS calls now.
+    /// Sends a zero instead of the received message. `stamp` [s]: what ROS calls now.
     virtual void send_zero(double stamp) = 0;
     /// True if the last message may move a robot: a velocity other than zero.
     virtual bool moves() const = 0;

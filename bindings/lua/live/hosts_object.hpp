@@ -25,7 +25,7 @@ std::vector<OfferedPort> ports_of(const System& system, std::string_view path);
 /// Checks that another host offers the port "host/name.port". The error names the nearest.
 Expected<void> check_offered(const System& system, std::string_view path);
 
-/// Asks another host, and waits for the answer beside the ticks: as long as the network does.
+/// Asks another host, and waits for the answer while ticks go on, as long as the network does.
 Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, const Question& question);
 
 struct ObjectRef;

@@ -1,5 +1,5 @@
-// Loads all versions beside the ticks. Then adopts all and commits all; only the commit changes anything, and it can't
-// fail.
+// Loads all versions while ticks go on. Then adopts all and commits all; only the commit changes anything, and it
+// can't fail.
 #include "bindings/lua/reload/reloader.hpp"
 
 #include <fmt/format.h>

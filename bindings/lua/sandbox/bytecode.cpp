@@ -120,7 +120,7 @@ private:
         ++depth_;
         for (std::size_t left = copy_number(); ok_ && left > 0; --left) function();
         --depth_;
-        // The first instruction of a function with `...` is no part of a line.
+        // The first instruction of a function with `...` does not belong to a line.
         lines(defined, moved, is_vararg != 0 ? 1 : 0);
         for (std::size_t left = copy_number(); ok_ && left > 0; --left) {  // local variables
             copy_text();

@@ -1,4 +1,4 @@
-// Reads the stack of a coroutine from within to without.
+// Reads the stack of a coroutine from the innermost function to the outermost.
 #include "bindings/lua/sandbox/error_frames.hpp"
 
 #include <algorithm>

@@ -57,7 +57,7 @@ void refuse_field(lua_State* lua, const char* field, const char* reason) {
     lua_pop(lua, 1);
 }
 
-// If `__call` is no function, Lua searches its own `__call` in turn; a circle would never end.
+// If `__call` is not a function, Lua searches its own `__call` in turn; a circle would never end.
 void refuse_caller(lua_State* lua) {
     lua_pushliteral(lua, "__call");
     const int type = lua_rawget(lua, 2);

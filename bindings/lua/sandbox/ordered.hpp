@@ -12,7 +12,7 @@ namespace nezumi {
 /// The function `pairs`. Supports `__pairs`.
 int ordered_pairs(lua_State* lua);
 
-/// The function `next`. It is fast for an empty table. For a table with n keys that are no sequence, the first call
+/// The function `next`. It is fast for an empty table. For a table with n keys that are not a sequence, the first call
 /// takes time in proportion to n.
 int ordered_next(lua_State* lua);
 

@@ -78,7 +78,7 @@ public:
     int slice_status = LUA_OK;     ///< the error of a failed slice, which is raised again and already has its location
 };
 
-/// The innermost call of this thread, or null. Constant-initialised, hence a plain load.
+/// The innermost call of this thread, or null. Constant-initialised, so reading it is a plain load.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler finds its thread's call by it
 extern constinit thread_local CallRecord* current_call;
 

@@ -22,7 +22,7 @@ public:
     static constexpr std::size_t most_text = 1000;   ///< [bytes] of all texts of a value
     static constexpr std::size_t longest_name = 100;
 
-    /// Sets a probe. An error if the name is no identifier, or if there are too many probes.
+    /// Sets a probe. An error if the name is not an identifier, or if there are too many probes.
     Expected<void> set(std::string_view name, PlainData value, double seconds);
     void clear() { probes_.clear(); }
     /// In the order of their first use.

@@ -89,7 +89,7 @@ struct Inheritance {
 
 class Script {
 public:
-    /// Runs the top level of a file, which only declares. May run beside the tick.
+    /// Runs the top level of a file, which only declares. May run in another thread than the tick.
     static Expected<std::unique_ptr<Script>> load(const SourceText& source, ScriptContext context,
                                                   const Inheritance& inheritance = {});
 

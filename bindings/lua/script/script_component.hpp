@@ -94,7 +94,7 @@ public:
     };
     /// The context of the next version, without its text, its modules and its code cache.
     Loading next_loading() const;
-    /// Loads a version beside the ticks, in any thread. Null: its top level reads `state` or the time, so it must be
+    /// Loads a version in any thread, while ticks go on. Null: its top level reads `state` or the time, so it must be
     /// loaded in the tick of the commit. `required` gets the modules that it required, also if it fails.
     static Expected<std::unique_ptr<Script>> load_beside(const Loading& loading, std::vector<ScriptFile>& required);
 

@@ -63,7 +63,7 @@ void push_table(lua_State* L, int before, const Places& places) {
 void set_field(lua_State* L, int table, int before, const Value& key, const Value& value, const Places& places) {
     detail::push_any(L, key);
     lua_rawget(L, table);
-    const bool is_other = !lua_isnil(L, -1);  // what is no plain data
+    const bool is_other = !lua_isnil(L, -1);  // not plain data
     lua_pop(L, 1);
     if (is_other) return;
     if (const auto* ref = value.get_if<TableRef>()) {

@@ -10,7 +10,7 @@
 namespace nezumi::openrtm {
 namespace {
 
-// A connection that a tool has made is shown at once; the system's list may be a little older.
+// A connection that a tool has made is shown immediately; the system's list may be a little older.
 constexpr std::chrono::seconds grace{2};
 
 }  // namespace

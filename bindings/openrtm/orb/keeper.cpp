@@ -296,7 +296,7 @@ void Keeper::look_after_connections() {
 }
 
 // A connection is made again after its RTC was away. A connection that was ended by a living RTC was removed on
-// purpose, by a tool or by itself.
+// purpose, by a tool or on its own.
 bool Keeper::is_to_be_made(Link& link, PortObject& port) {
     if (CORBA::is_nil(link.theirs)) return !link.is_ended;
     if (std::string id = port.connection_with(link.theirs); !id.empty()) {

@@ -1,4 +1,4 @@
-// A single name service never rests: then there is no other to wait for.
+// A single name service is always asked, because there is no other to ask instead.
 #include "bindings/openrtm/orb/name_servers.hpp"
 
 #include <algorithm>

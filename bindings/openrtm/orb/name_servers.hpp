@@ -40,7 +40,7 @@ public:
     Expected<NameService::Named> find(const std::string& component);
     /// The RTCs of all name services; an RTC that two have is there once.
     std::vector<NameService::Named> all();
-    /// Removes the name of an RTC that is gone, wherever it is. A problem if it lives.
+    /// Removes the name of an RTC that has ended, from all name services. An error if it still runs.
     PeerAnswer forget(const NameService::Named& named);
 
 private:

@@ -21,8 +21,8 @@ struct PeerPort {
     std::string port{};  ///< "out"
 };
 
-/// Connects two ports as the request says, or ends their connection. That they are so already is no problem. May wait
-/// for some seconds.
+/// Connects two ports as the request says, or ends their connection. It is not an error if that is done already. May
+/// wait for some seconds.
 PeerAnswer connect_peers(const std::array<PeerPort, 2>& ends, const RtcRequest& request);
 
 /// Why a port refused a connection; "" if it did not.

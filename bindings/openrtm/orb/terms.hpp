@@ -11,8 +11,8 @@ namespace nezumi::openrtm {
 
 /// How messages of a connection are sent.
 struct Terms {
-    /// When an out-port sends: each message at once; the latest when the peer has taken the one before; or the latest
-    /// periodically.
+    /// When an out-port sends: each message immediately; the latest when the peer has taken the one before; or the
+    /// latest periodically.
     enum class Subscription { flush, newest, periodic };
 
     bool push = true;  ///< if false, the in-port fetches
@@ -24,7 +24,7 @@ struct Terms {
 
 /// Returns nothing if they ask for an unsupported interface or serializer; only CORBA's CDR is supported.
 std::optional<Terms> terms_of(const SDOPackage::NVList& properties);
-/// Adds the terms of the connections that we make: each message at once, pushed. `type`: "TimedLong".
+/// Adds the terms of the connections that we make: each message immediately, pushed. `type`: "TimedLong".
 void add_own_terms(SDOPackage::NVList& properties, const std::string& type_id);
 
 }  // namespace nezumi::openrtm

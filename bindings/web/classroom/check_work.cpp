@@ -129,7 +129,7 @@ Expected<void> collect_class(const fs::path& folder, const std::vector<Exercise>
                            .comment = pupil->comment};
         const auto exercise = std::find_if(exercises.begin(), exercises.end(),
                                            [&](const Exercise& each) { return each.name == pupil->exercise; });
-        // The others' work counts, whatever is wrong with one.
+        // An error in one pupil's work does not stop the check of the others.
         const auto copied = collect_work(*pupils, *pupil, to);
         auto checked = !copied ? Unexpected(copied.error())
                        : exercise == exercises.end()

@@ -23,7 +23,7 @@ struct WorkToCheck {
     bool trust = false;               ///< as in `ClassOptions`
 };
 
-/// Runs the shown and the hidden scenarios as the exercise has them, whatever the pupil made of them. The result is in
+/// Runs the shown and the hidden scenarios of the exercise, not the pupil's copies of them. The result is in
 /// the order of their files. An error: they could not be run, in one line.
 Expected<std::vector<CheckedScenario>> check_work(const WorkToCheck& wanted, const std::atomic<bool>& give_up);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A page that nobody shows ends; one that is loaded again comes back sooner.
+// A page that no browser shows ends; one that is loaded again comes back sooner.
 constexpr std::chrono::seconds longest_absence{20};
 
 std::string field_in(const Json& request, const char* name) {

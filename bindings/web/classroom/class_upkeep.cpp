@@ -1,4 +1,4 @@
-// Starts and restarts pupils' processes, runs checks beside them, and tells browsers what has changed.
+// Starts and restarts pupils' processes, runs checks at the same time, and tells browsers what has changed.
 #include <fmt/format.h>
 
 #include <algorithm>

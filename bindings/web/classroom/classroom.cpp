@@ -19,7 +19,7 @@ namespace nezumi::web {
 namespace {
 
 constexpr int unavailable = 503;
-// Visitors have this token: it is no secret.
+// Visitors have this token: it is not a secret.
 constexpr std::string_view visitors = "join";
 constexpr std::string_view for_the_class = R"("do":"class")";
 
@@ -90,7 +90,7 @@ Classroom::~Classroom() {
     sockets_.reset();
     for (auto& [number, seat] : seats_) {
         if (seat->page && seat->page->run) seat->page->run->end();
-        if (seat->run) seat->run->end();  // all at once; the destructors wait
+        if (seat->run) seat->run->end();  // all start to end; the destructors wait
     }
     if (shared_ && shared_->run) shared_->run->end();
 }

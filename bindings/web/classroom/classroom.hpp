@@ -1,4 +1,4 @@
-// A class: joins pupils, gives each a system of their own, and shows the teacher how they do.
+// A class: joins pupils, gives each a system of their own, and shows the teacher their progress.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ std::vector<Exercise> exercises_of(const ClassOptions& options);
 class Classroom final : public Site {
 public:
     static constexpr std::size_t most_pupils = 60;
-    /// Browsers that are no pupil yet, and of one pupil.
+    /// The most browsers without a pupil yet, and of one pupil.
     static constexpr std::size_t most_visitors = 40, most_of_pupil = 6;
     /// Browsers at once.
     static constexpr std::size_t most_browsers = 3 * most_pupils + most_visitors;

@@ -26,7 +26,7 @@ struct Exercise {
 std::filesystem::path system_of(std::string_view exercise);
 
 /// The exercises in these folders, the first of each name; sorted. A folder without text.md or without its system
-/// file is none.
+/// file is not one.
 std::vector<Exercise> find_exercises(const std::vector<std::filesystem::path>& folders);
 
 /// Copies files and folders with their times, but no links and no names that begin with a dot. Existing files are

@@ -61,7 +61,7 @@ struct ClassSystem {
     RelayReader reader{};
     std::string out{};  ///< frames that are not sent yet
     SeatView view{};
-    bool is_wanted = false;      ///< somebody has come for it since the class was opened
+    bool is_wanted = false;      ///< a pupil has come for it since the class was opened
     bool view_is_ready = false;  ///< the class's own connection waits for a message
     bool is_repairing = false;   ///< the system file can't run: an empty system is shown instead
     std::string problem{};       ///< why

@@ -17,7 +17,7 @@ public:
     /// A pupil without a page for longer than this gives up the turn, or the place in the queue.
     static constexpr std::chrono::seconds longest_absence{10};
 
-    /// The pupil whose turn it is; 0: nobody's.
+    /// The pupil whose turn it is; 0: none.
     int driver() const { return driver_; }
     /// Who waits, the next one first.
     const std::deque<int>& waiting() const { return waiting_; }
@@ -29,14 +29,14 @@ public:
     /// What is left of the turn; zero without a driver.
     Clock::duration left(Clock::time_point now) const;
 
-    /// Waits as the last one. Does nothing for the driver, and for who waits already.
+    /// Adds a pupil at the end of the queue. Does nothing for the driver and for a pupil who already waits.
     void enter(int pupil);
     /// Waits no longer; does not end a turn.
     void remove(int pupil);
     /// Changes places with the one before.
     void move_up(int pupil);
 
-    /// Begins the turn of the next one. Returns false if one has a turn, or nobody waits.
+    /// Begins the turn of the next one. Returns false if a pupil has a turn, or no pupil waits.
     bool begin(Clock::time_point now);
     void end() { driver_ = 0; }
 

@@ -1,4 +1,4 @@
-// Copies keep the times of the exercise's files, so a file with another time was saved by somebody.
+// Copies keep the times of the exercise's files, so a file with another time was saved by the pupil.
 #include "bindings/web/classroom/work_folder.hpp"
 
 #include <fmt/format.h>

@@ -39,8 +39,8 @@ struct OverQuota {
     std::size_t removed = 0;  ///< files
 };
 /// The same for what was written in any other way than by the editor; nothing if it fits. Files as in the exercise do
-/// not count. Otherwise all that are no texts of the editor are removed: recordings, pictures, what failed scenarios
-/// left.
+/// not count. Otherwise all files that are not texts of the editor are removed: recordings, pictures, what failed
+/// scenarios left.
 std::optional<OverQuota> enforce_quota(const std::filesystem::path& project, const std::filesystem::path& start,
                                        const Quota& quota);
 

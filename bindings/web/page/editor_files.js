@@ -24,7 +24,7 @@ export class Files {
     return this.all.find((each) => each.file === file);
   }
 
-  /// The file that a message names: by its path, or else the only one with this end.
+  /// The file that a message names: by its path, otherwise the only file whose path ends like this.
   named(shown) {
     const exact = this.all.find((each) => each.shown === shown || each.file === shown);
     if (exact) return exact;

@@ -16,7 +16,7 @@ export function make_findings(editor, { model }) {
     marks = [];
     editor.text.clearGutter("gutter-findings");
   };
-  /// The name at a place, or else the rest of the line.
+  /// The name at a place, otherwise the rest of the line.
   const range_at = (line, column) => {
     const text = editor.text.getLine(line) ?? "";
     const from = column > 0 ? Math.min(column - 1, Math.max(0, text.length - 1)) : text.search(/\S|$/);

@@ -9,7 +9,7 @@ import { owner_of } from "./port_name.js";
 
 const AGAIN = 500;  // ms between two requests in following mode
 
-/// The behaviour that drives a robot, or else one that reads from it.
+/// The behaviour that drives a robot, otherwise one that reads from it.
 function behavior_of(model, robot) {
   const { connections } = model.system;
   const is_behavior = (name) => model.component(name)?.kind === "behavior";
@@ -115,7 +115,7 @@ export function make_explain(parts) {
     if (shown_at !== null) shown_at = -1;
     stop_following();
   });
-  // After a step or a seek, what is shown is no more the last execution.
+  // After a step or a seek, the execution on the page is not the last one any more.
   model.on("frame", () => {
     const is_old = shown_at !== null && shown_at !== model.frame.tick;
     if (is_shown && is_old && !model.frame.running && !model.looked) ask();

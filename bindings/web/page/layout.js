@@ -76,7 +76,7 @@ export function make_layout(views) {
     update();
   };
 
-  /// The console has one line until somebody uses it or the log.
+  /// The console has one line until a person uses it or the log.
   const use_dock = () => layout.node.classList.remove("dock-unused");
   const more = el("details", { class: "more" });
   const all_tabs = [];

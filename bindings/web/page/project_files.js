@@ -1,4 +1,4 @@
-// What a project of somebody else may hold: files with plain names within it.
+// The allowed content of another person's project: files with plain names within it.
 
 const MOST_FILES = 500;
 const ENDINGS = /\.(lua|csv|png|msg|idl|txt|md)$/;

@@ -1,4 +1,4 @@
-// A whole project in a link's fragment, which browsers send to nobody.
+// A whole project in a link's fragment, which browsers never send.
 import { deflate, from_base64url, inflate, to_base64url } from "./deflate.js";
 import { checked_files } from "./project_files.js";
 
@@ -14,7 +14,7 @@ export async function to_fragment({ name, system, files }) {
   return `#code=${to_base64url(await deflate(bytes))}`;
 }
 
-/// The project of somebody else: nothing of it is trusted.
+/// The project of another person: nothing of it is trusted.
 export async function from_fragment(code) {
   const bytes = await inflate(from_base64url(code), 4 * MOST);
   const { name, system, files } = JSON.parse(new TextDecoder().decode(bytes));

@@ -50,7 +50,7 @@ export class Socket extends Emitter {
     this.#socket.send(text);
   }
 
-  /// After sleep or a network failure the connection is not closed by itself.
+  /// After sleep or a network failure nothing closes the connection automatically.
   #give_up_on_silence() {
     if (!this.is_open || performance.now() - this.#heard < LONGEST_SILENCE) return;
     const silent = this.#socket;

@@ -195,7 +195,7 @@ local limit <const> = 4
 local low <const> = -2
 return function() return 1 < limit and 1 > low end  -- returns: 3 (1 < limit)
 
---- A condition whose text can't be told has no margin.
+--- A condition whose source text can't be found has no margin.
 local f, g = function() return 1 < 4 end, function() return 2 < 4 end
 return g  -- returns: none: several functions begin in its line
 

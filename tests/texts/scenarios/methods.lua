@@ -61,7 +61,7 @@ do scenario('b', function() end) end  -- error: scenario: a scenario can't decla
 s:load 'systems/stop_at_wall.lua'
 pcall(range, 'a') error('mine')  -- failed: mine
 
---- A wrong call that the scenario catches with pcall is no error.
+--- A wrong call that the scenario catches with pcall is not an error.
 s:load 'systems/stop_at_wall.lua'
 s:check(not pcall(s.run, s, 'x'))
 
@@ -118,7 +118,7 @@ s:equal(path(3, { x = 1 }), path(3, { x = 2 }))
 local function chain(n) local t = {} for _ = 1, n do t = { t } end return t end
 s:equal(chain(3), chain(4))  -- failed: equal failed: { { { {} } } } is not the expected { { { { {} } } } } (they differ at [1][1][1][1])
 
---- Tables nested beyond what can be compared are no equal ones, and no different ones.
+--- Tables that are nested too deep to compare count neither as equal nor as different.
 local function chain(n) local t = {} for _ = 1, n do t = { t } end return t end
 s:equal(chain(400000), chain(400000))  -- error: equal: the tables are nested too deeply to be compared
 

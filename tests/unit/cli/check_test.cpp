@@ -81,7 +81,7 @@ TEST_CASE("folders give their Lua files, sorted, once and without hidden ones", 
     CHECK(refused("none") == "has no Lua files");
 }
 
-TEST_CASE("texts become JSON whatever bytes they have", "[cli][check]") {
+TEST_CASE("texts with any bytes become JSON", "[cli][check]") {
     CHECK(json_text("a \"b\" \\ \n\t\x01") == R"("a \"b\" \\ \n\t\u0001")");
     CHECK(json_text("gr\xc3\xb6\xc3\x9f"
                     "e \xf0\x9f\x90\xad") ==

@@ -139,7 +139,7 @@ TEST_CASE("lines that are left out of a log that is not read are counted, and re
     CHECK(run.error.find(" more lines were dropped, because they came too fast)\n") != std::string::npos);
 }
 
-TEST_CASE("a run that follows no clock waits for who reads its log, which gets all of it", "[cli][ends][wallclock]") {
+TEST_CASE("a run without a clock waits for the reader of its log, which gets all lines", "[cli][ends][wallclock]") {
     const BehaviorProject project(talks);
     {
         Program run({"run", project.file, "--headless", "--speed", "max", "--duration", "10"});
@@ -168,7 +168,7 @@ TEST_CASE("a terminal with a status line that takes no output holds nothing", "[
     holds(sink("standard error: log and status line"), run);
 }
 
-TEST_CASE("a prompt whose terminal takes no output holds nothing, and the terminal is as before",
+TEST_CASE("a prompt whose terminal accepts no output blocks nothing, and the terminal is restored",
           "[cli][ends][wallclock]") {
     const BehaviorProject project(talks);
     PtyProgram run({"run", project.file, "--no-web"}, project.scratch.path("").string());

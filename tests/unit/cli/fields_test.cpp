@@ -104,7 +104,7 @@ TEST_CASE("the readers take every field that is described, and no other", "[cli]
         if (said_of(record, "").empty()) continue;
         for (const FieldRow& row : record.rows) {
             CAPTURE(record.name, row.name);
-            // A thread is no value of any field: the field is known, and that is what is wrong.
+            // A thread can't be the value of any field. The field is known, so its value is what is wrong.
             const std::string said =
                 said_of(record, before(record, row) + row.name + " = coroutine.create(function() end)");
             CAPTURE(said);

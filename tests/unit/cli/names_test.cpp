@@ -1,4 +1,4 @@
-// Words have one owner: what each room exports to Lua is no name of a component.
+// Each global has one room: a name that a room exports to Lua can't be the name of a component.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>

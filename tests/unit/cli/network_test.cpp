@@ -132,7 +132,7 @@ TEST_CASE("a secret is made once, for its owner alone", "[cli][network]") {
     CHECK(again.error.find("exists already") != std::string::npos);
 }
 
-TEST_CASE("a secret that is not there, that others can read, or that is none ends a run", "[cli][network]") {
+TEST_CASE("a missing secret, one that others can read, or an invalid one ends a run", "[cli][network]") {
     Scratch scratch;
     const std::string system =
         scratch.write("s.lua", "network { name = \"a\", domain = 223, secret = \"s.key\" }\nseed(1)\n").string();
@@ -219,7 +219,7 @@ TEST_CASE("messages from the network are in the journal, and a replay without th
     CHECK(again.error.find("hears") != std::string::npos);
 }
 
-TEST_CASE("who is in a domain is listed", "[cli][network][wallclock]") {
+TEST_CASE("the hosts of a domain are listed", "[cli][network][wallclock]") {
     TwoHosts hosts;
     Program counter({"run", hosts.counter, "--headless"});
     std::string out;

@@ -1,4 +1,4 @@
-// A FIFO in place of each file that a run reads: nothing waits for whoever may never write into it.
+// A FIFO in place of each file that a run reads: nothing waits for a writer that may never come.
 #include <catch2/catch.hpp>
 
 #include <sys/stat.h>

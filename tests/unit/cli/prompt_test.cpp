@@ -120,7 +120,7 @@ TEST_CASE("inputs are there again after a restart, those of several lines whole"
     CHECK(it.wait_for_row("\"firslyt\""));
 }
 
-TEST_CASE("log lines never tear what is being typed", "[cli][prompt]") {
+TEST_CASE("log lines never break the input that is being typed", "[cli][prompt]") {
     const Home home(chatty);
     PtyProgram it = home.run();
     REQUIRE(it.wait_for_prompt("nezumi>"));
@@ -153,7 +153,7 @@ TEST_CASE("log lines never tear what is being typed", "[cli][prompt]") {
                                              input.substr(0, 80), input.substr(80), "nezumi>"});
 }
 
-TEST_CASE("an input takes as many rows as the window's width asks for, and log lines tear none", "[cli][prompt]") {
+TEST_CASE("a long input is wrapped to the window's width, and log lines do not break it", "[cli][prompt]") {
     const Home home(chatty);
     PtyProgram it = home.run(55);
     REQUIRE(it.wait_for_prompt("nezumi>"));

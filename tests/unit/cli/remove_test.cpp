@@ -31,13 +31,13 @@ struct SmallRun {
 
 }  // namespace
 
-TEST_CASE("who carries something is not removed before it", "[cli][act]") {
+TEST_CASE("a robot can't be removed before the camera that it carries", "[cli][act]") {
     const SmallRun it("remove 'mouse'\nremove 'camera'\nremove 'mouse'\nstep(2)\nls()\n");
     CHECK(it.outcome.error.find("remove: mouse carries camera: remove that first") != std::string::npos);
     CHECK(it.outcome.out.find("mouse") == std::string::npos);
 }
 
-TEST_CASE("a recording keeps the columns of what has gone, empty, and has those of what has come", "[cli][act]") {
+TEST_CASE("a recording keeps empty columns of removed components, and has columns of added ones", "[cli][act]") {
     const SmallRun it("step(2)\nbehavior 'second' { script = 'it' }\nstep(2)\nremove 'it'\nstep(2)\n");
     const auto lines = lines_of(text_of_file(it.files.path("r.csv")));
     REQUIRE(lines.size() == 7);

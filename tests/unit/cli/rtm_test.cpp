@@ -79,7 +79,7 @@ TEST_CASE("a run without a name service says so once, and goes on", "[cli][rtm][
     CHECK(run.error.find(said) == run.error.rfind(said));
 }
 
-TEST_CASE("an interface that is none of this computer's is refused in one line", "[cli][rtm][wallclock]") {
+TEST_CASE("a network interface that this computer does not have is refused in one line", "[cli][rtm][wallclock]") {
     const Names names;
     Scratch folder;
     const std::string text = "robot \"mouse\" { model = \"raspimouse\" }\nrtm { export = \"mouse\", nameserver = \"" +

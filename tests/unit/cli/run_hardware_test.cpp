@@ -140,7 +140,7 @@ TEST_CASE("a device with backend = 'sim' stays simulated, and --hw for it is ref
     CHECK(refused(spec, {"finder"}).starts_with("--hw: there is no robot or device 'finder' in two.lua"));
 }
 
-TEST_CASE("a backend of a device that nobody knows is refused with the nearest one", "[cli][hw]") {
+TEST_CASE("an unknown backend of a device is refused with the nearest name", "[cli][hw]") {
     const Scratch scratch;
     scratch.write("system.lua",
                   "component 'stick' { type = 'Joystick', backend = 'gamepat' }\n"

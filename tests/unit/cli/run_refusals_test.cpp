@@ -12,7 +12,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("a pipe that nobody reads is refused as a file for results, and one that is read is written", "[cli][run]") {
+TEST_CASE("a pipe without a reader is refused as a file for results, and one with a reader is written", "[cli][run]") {
     const Scratch scratch;
     const std::string pipe = scratch.path("pipe").string(), drawing = scratch.path("pipe.svg").string();
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);

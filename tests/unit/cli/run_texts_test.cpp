@@ -1,4 +1,4 @@
-// Whatever a script, an error or a folder says, what `nezumi run` shows stays what it is.
+// Text of a script, an error or a folder can't damage the output of `nezumi run`.
 #include <catch2/catch.hpp>
 
 #include <string>

@@ -48,7 +48,7 @@ TEST_CASE("there is a plot for each measure over each parameter that has several
     CHECK(sweep_plots({}).empty());
 }
 
-TEST_CASE("values that are no numbers stand side by side", "[cli][plot]") {
+TEST_CASE("values that are not numbers are placed side by side", "[cli][plot]") {
     const auto plots = sweep_plots({run("1", "slow", 1), run("1", "fast", 2), run("1", "slow", 0)});
     REQUIRE(plots.size() == 1);
     CHECK_FALSE(plots[0].is_numeric);

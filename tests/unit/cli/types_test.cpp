@@ -113,7 +113,7 @@ TEST_CASE("the annotations have every word of behaviours, systems, robots, scena
         CAPTURE(word);
         CHECK((has("function s:" + word + "(") || (word == "world" && has("---@field world World "))));
     }
-    // By class: a word of one is no word of another.
+    // By class: a name of one class is not a name of another.
     const std::vector<std::pair<std::string, std::vector<std::string>>> fields{
         {"InPort", {"is_new", "tm", "age", "connected", "stale"}},
         {"TimedShortSeq.In : InPort", {"read"}},

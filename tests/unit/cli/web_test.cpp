@@ -119,7 +119,8 @@ TEST_CASE("a run that is repeated has a page as well, unless it is headless", "[
     CHECK(headless.error.find("http") == std::string::npos);
 }
 
-TEST_CASE("where the port is taken it is the next free one, and without any the run goes on", "[cli][web]") {
+TEST_CASE("the next free port is taken if one is used, and the run goes on without a page if all are used",
+          "[cli][web]") {
     const WebSystem system;
     const TakenPort taken(0);
     REQUIRE(taken.is_taken());
@@ -201,7 +202,7 @@ TEST_CASE("other computers connect only by TLS, with a certificate whose fingerp
     unsetenv("XDG_STATE_HOME");
 }
 
-TEST_CASE("TLS that is begun and not gone on with keeps out none that has a token", "[cli][web]") {
+TEST_CASE("unfinished TLS handshakes do not exclude browsers with a token", "[cli][web]") {
     const WebSystem system;
     setenv("XDG_STATE_HOME", system.scratch.path("state").c_str(), 1);
     Program run({"run", system.file, "--listen", "127.0.0.1"});

@@ -1,4 +1,5 @@
-// The console's protocol: what is written is read again, and whatever else comes costs a message and no more.
+// The console's protocol: written lines can be read again; every other input gives an error message and does nothing
+// else.
 #include "bindings/console/protocol.hpp"
 
 #include <catch2/catch.hpp>
@@ -63,7 +64,7 @@ TEST_CASE("bytes that are not UTF-8 do not damage a line", "[console][protocol]"
     CHECK(event->text == "a\xEF\xBF\xBDz");
 }
 
-TEST_CASE("a line that is no request is refused with one line", "[console][protocol]") {
+TEST_CASE("a line that is not a request is refused with one line", "[console][protocol]") {
     CHECK(refusal("") == "expected one JSON object on a line, got ");
     CHECK(refusal("GET / HTTP/1.1\r") == "expected one JSON object on a line, got GET / HTTP/1.1\\x0d");
     CHECK(refusal("[1, 2]") == "expected one JSON object on a line, got [1, 2]");
@@ -91,7 +92,7 @@ TEST_CASE("unknown fields are ignored", "[console][protocol]") {
     CHECK(refusal("{\"do\":\"eval\",\"text\":\"1\",\"colour\":true}") == "none");
 }
 
-TEST_CASE("lines are complete, in whatever pieces they arrive", "[console][protocol]") {
+TEST_CASE("lines are complete, even if they arrive in pieces", "[console][protocol]") {
     CHECK(lines_of({"one\ntwo\nth", "r", "ee\n", "four"}, 100) == std::vector<std::string>{"one", "two", "three"});
     CHECK(lines_of({"\n\n"}, 100) == std::vector<std::string>{"", ""});
 }

@@ -184,7 +184,7 @@ TEST_CASE("a line with much output waits for its client, loses nothing, and othe
     const std::int64_t id =
         late.send({.kind = Request::Kind::eval,
                    .text = "for i = 1, " + std::to_string(lines) + " do print(i, ('x'):rep(60)) end"});
-    // A full output is no work: the loop that ticks need not come back for it.
+    // A full output is not work: the loop that ticks need not come back for it.
     bool works = true;
     for (int turns = 0; turns < 20'000 && works; ++turns)
         works = it.server.serve(Clock::now() + std::chrono::milliseconds(1)) || turns < 10;

@@ -1,4 +1,4 @@
-// Words for all components at once, for what is heard of the log, and for what is drawn.
+// Commands for all components together, for the log level, and for drawings.
 #include <catch2/catch.hpp>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The console carries what stands in the arena.
+// The console moves the things of the arena.
 #include <catch2/catch.hpp>
 
 #include "tests/unit/console/session_rig.hpp"

@@ -1,4 +1,4 @@
-// Systems are found by those who may attach to them, and by nobody else.
+// Only the user of a system can find it and attach to it.
 #include "bindings/console/socket_directory.hpp"
 
 #include <catch2/catch.hpp>

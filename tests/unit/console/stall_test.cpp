@@ -1,4 +1,5 @@
-// What a line computes is no time of the thread that ticks: lines that stalled every tick when they ran between two.
+// The computing of a line takes no time of the thread that ticks. These lines stalled every tick when they ran between
+// two.
 #include <catch2/catch.hpp>
 
 #include <chrono>
@@ -40,7 +41,7 @@ Run run(SessionRig& it, const std::string& line, std::chrono::milliseconds patie
     it.session->submit(line);
     bool rang = true;
     while (it.session->is_busy()) {
-        // Waiting for the line is no work for it.
+        // Waiting for the line is not work for it.
         double between = 0;
         for (const auto due = Clock::now() + period; Clock::now() < due && it.session->is_busy();) {
             if (rang) {
@@ -163,7 +164,7 @@ TEST_CASE("reading a state of a hundred thousand values delays no tick, and smal
     CHECK(best_run(line, std::chrono::milliseconds(20'000), {{"counter", behavior}}, answer).spent < most_of_a_line());
 }
 
-TEST_CASE("a component is added beside the ticks: its files are read and its script runs there",
+TEST_CASE("a component is added while ticks go on: another thread reads its files and runs its script",
           "[console][stall][wallclock]") {
     const std::string million = "local t = {} for i = 1, 1000000 do t[i] = i end\n";
     const std::map<std::string, std::string> files{
@@ -186,7 +187,7 @@ TEST_CASE("a component is added beside the ticks: its files are read and its scr
     CHECK(added.spent < most_of_a_line());
 }
 
-TEST_CASE("reload() refuses a script whose top level never ends, beside the ticks",
+TEST_CASE("reload() refuses a script whose top level never ends, while ticks go on",
           "[console][stall][wallclock][watchdog]") {
     double spent = 1e9;
     for (int attempt = 0; attempt < 4 && spent >= most_of_a_line(); ++attempt) {

@@ -48,7 +48,7 @@ TEST_CASE("a component of another host shows its state and executes requests", "
     pass(room, 3, ev3, pi);
     CHECK(looked(pi.ask(question(What::look, "status"), ev3)) == Value{"ACTIVE"});
     CHECK(looked(pi.ask(question(What::look, "type"), ev3)) == Value{"Part"});
-    CHECK(ev3.acts.empty());  // to look is no act
+    CHECK(ev3.acts.empty());  // looking is not an act
     CHECK(text(pi.ask(question(What::deactivate), ev3)) == "INACTIVE");
     CHECK(ev3.part->state() == LifeState::inactive);
     CHECK(text(pi.ask(question(What::activate), ev3)) == "ACTIVE");

@@ -1,4 +1,4 @@
-// Who is there, by what anybody may say.
+// The table of hosts, with any announcements.
 #include <array>
 #include <catch2/catch.hpp>
 

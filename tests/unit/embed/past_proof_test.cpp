@@ -153,9 +153,8 @@ private:
 
 }  // namespace
 
-TEST_CASE(
-    "any tick that is come to again is what it was: saves, restarts, waits, shared tables, noise, detectors, threads",
-    "[embed][past][proof]") {
+TEST_CASE("a tick that is computed again is the same: saves, restarts, waits, shared tables, noise, detectors, threads",
+          "[embed][past][proof]") {
     const int seeks = number_from("NEZUMI_SEEKS", 60), longest = number_from("NEZUMI_SEEK_TICKS", 400);
     int done = 0;
     std::size_t ticks = 0, branches = 0;

@@ -106,7 +106,7 @@ TEST_CASE("a hold belongs to its actor until another actor takes it", "[engine][
     CHECK(it.system.held_by(console).empty());
     CHECK(error_of(it.system, Release{"mouse.velocity_in"}, tablet).empty());
     CHECK(it.system.holder("mouse.velocity_in") == nullptr);
-    CHECK(error_of(it.system, Driving::hold(0.1), console).empty());  // it is nobody's: no need to take it
+    CHECK(error_of(it.system, Driving::hold(0.1), console).empty());  // no actor holds it: no need to take it
 }
 
 TEST_CASE("actors have names that can be read back", "[engine][act]") {

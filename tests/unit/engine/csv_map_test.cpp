@@ -1,4 +1,4 @@
-// Maps in CSV: what is taken, and what is said about a bad row.
+// Maps in CSV: accepted forms, and the message about a bad row.
 #include <catch2/catch.hpp>
 
 #include "engine/world/csv_map.hpp"
@@ -47,7 +47,7 @@ TEST_CASE("a map's lines end as those of any computer", "[engine][csv]") {
     }
 }
 
-TEST_CASE("a map's first line is skipped, whatever it says in whatever encoding", "[engine][csv]") {
+TEST_CASE("a map's first line is skipped, with any content in any encoding", "[engine][csv]") {
     const std::string row = "\n1,2,3,4,5,6,7\n";
     // As the old simulator's own map has it, in Shift-JIS.
     for (const std::string first :
@@ -106,7 +106,7 @@ TEST_CASE("a header that names the columns of a map in another order is obeyed",
           "map.csv:2: column 'lz': expected a positive number, got '0'");
 }
 
-TEST_CASE("a map of which no row is a box is an error that says what separates its columns", "[engine][csv]") {
+TEST_CASE("a map without a box gives an error that names the separator of its columns", "[engine][csv]") {
     CHECK(error("x;y;z;lx;ly;lz;yaw\n1;2;3;4;5;6;7\n") ==
           "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got columns that are separated by semicolons: separate them by "
           "commas");
@@ -164,7 +164,7 @@ TEST_CASE("a box of a map that a quote which is not closed would hide is refused
     CHECK(error(header + "1,2,3,4,5,6,\n") == "map.csv:2: column 'yaw': expected a number, got ''");
 }
 
-TEST_CASE("bytes that are no text stay out of a map's messages", "[engine][csv]") {
+TEST_CASE("bytes that are not text stay out of a map's messages", "[engine][csv]") {
     CHECK(error(header + "a\x1b[2J\x01,0,0,1,1,1,0\n") ==
           "map.csv:2: column 'x': expected a number, got 'a\\x1b[2J\\x01'");
     CHECK(error(header + std::string(100, 'q') + ",0,0,1,1,1,0\n") ==

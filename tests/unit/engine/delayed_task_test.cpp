@@ -1,4 +1,4 @@
-// Work beside the tick: when its result is there, and by which clock.
+// Work in another thread: when its result is available, and by which clock.
 #include "engine/components/delayed_task.hpp"
 
 #include <atomic>

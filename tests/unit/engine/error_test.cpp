@@ -59,7 +59,7 @@ TEST_CASE("a slip is at most a third of the name", "[engine][error]") {
     CHECK(nearest("abcdef", {"abcxyz"}).empty());      // 3 of 6
 }
 
-TEST_CASE("a name of which no character stays is no slip", "[engine][error]") {
+TEST_CASE("there is no near name for one of which no character stays", "[engine][error]") {
     CHECK(nearest("z", {"x", "y"}).empty());
     CHECK(nearest("X", {"x", "y"}) == "x");
     CHECK(nearest("1", {"n"}).empty());
@@ -86,7 +86,7 @@ TEST_CASE("a suggestion reads as the end of a sentence, or is nothing", "[engine
     CHECK(did_you_mean("Joystick", {"TimedLong", "TimedShort"}).empty());
 }
 
-TEST_CASE("a name of somebody else's is shown in one short line", "[engine][error]") {
+TEST_CASE("a name from outside is shown in one short line", "[engine][error]") {
     CHECK(shown("speed_x") == "speed_x");
     CHECK(shown(std::string_view("a\nb\0\x1b[1m", 8)) == "a\\x0ab\\x00\\x1b[1m");
     CHECK(shown("M\xC3\xA4use\t") == "M\xC3\xA4use\\x09");

@@ -1,4 +1,4 @@
-// A list whose first element lies within it.
+// A list that stores its first element in itself.
 #include <catch2/catch.hpp>
 
 #include <string>

@@ -1,4 +1,4 @@
-// A file that is written beside the ticks.
+// A file that is written by a thread of its own, while ticks go on.
 #include "engine/base/file_writer.hpp"
 
 #include <fcntl.h>

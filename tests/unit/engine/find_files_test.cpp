@@ -34,7 +34,7 @@ TEST_CASE("files are found below a folder by the end of their names, in order of
     CHECK(find_files(scratch.path(), "").files.size() == 6);
 }
 
-TEST_CASE("hidden names, pipes, folders with the ending and links to folders are no files that are found",
+TEST_CASE("hidden names, pipes, folders with the ending and links to folders are not found as files",
           "[engine][base]") {
     const Scratch scratch;
     scratch.write("a.lua", "");

@@ -1,4 +1,4 @@
-// Maps of ROS: what is taken of them, where it stands, and what is said about a bad one.
+// Maps of ROS: accepted forms, the places of the boxes, and the message about a bad map.
 #include "engine/world/occupancy_map.hpp"
 
 #include <algorithm>
@@ -140,7 +140,7 @@ TEST_CASE("an error in the YAML file of a map has the line and the expected valu
           "map.yaml:1: 'occupied_thresh': expected a number from 0 to 1, got '65'");
 }
 
-TEST_CASE("a key within another mapping of a map's YAML file is none of the map's", "[engine][map]") {
+TEST_CASE("a key within another mapping of a map's YAML file is ignored", "[engine][map]") {
     const OccupancyFacts facts = facts_of(yaml + "saved:\n  resolution: 0.1\n  negate: 1\n");
     CHECK(facts.resolution == 0.05);
     CHECK_FALSE(facts.negate);

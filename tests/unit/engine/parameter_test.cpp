@@ -1,4 +1,4 @@
-// Parameters: what may be set by whom, when it holds, and what is said when it may not.
+// Parameters: who may set them, when a new value is used, and the messages about refused values.
 #include "engine/components/parameter.hpp"
 #include "engine/values/value_text.hpp"
 
@@ -97,7 +97,7 @@ TEST_CASE("an array has bounds for each element and for its size", "[engine][par
           Value(std::vector<std::string>{}));
 }
 
-TEST_CASE("choices leave nothing else, and name the nearest", "[engine][parameter]") {
+TEST_CASE("a value outside the choices is refused with the nearest choice", "[engine][parameter]") {
     ParameterSpec mode = spec("mode", "careful"s);
     mode.choices = {"careful"s, "fast"s};
     CHECK(refusal(mode, "fast"s).empty());
@@ -289,7 +289,7 @@ TEST_CASE("a named set takes effect whole, and a parameter that is not in it kee
     CHECK(it.parameters().find("speed_x")->set);
 }
 
-TEST_CASE("the parameter set default means none", "[engine][parameter][set]") {
+TEST_CASE("the parameter set default means that no set is in use", "[engine][parameter][set]") {
     WithSets it;
     REQUIRE(it.use("careful"));
     REQUIRE(it.use("default"));

@@ -119,7 +119,7 @@ TEST_CASE("a response function's samples are met and joined by straight lines", 
     CHECK(table.nothing() == -1);
 }
 
-TEST_CASE("a response table refuses points that make none", "[engine][response]") {
+TEST_CASE("a response table refuses invalid points", "[engine][response]") {
     CHECK(error({}) == "a response table needs at least two points, got 0");
     CHECK(error({{0.1, 1}}) == "a response table needs at least two points, got 1");
     CHECK(error({{0.2, 1}, {0.1, 2}}) == "distances must ascend: 0.1 m comes after 0.2 m");

@@ -6,7 +6,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("actuators keep to what they can do", "[engine][robot]") {
+TEST_CASE("actuators stay within their limits", "[engine][robot]") {
     FakeRun run;
     run.send("buzzer_in", std::int16_t{-5});
     CHECK(run.hull().hertz == 0);
@@ -22,7 +22,7 @@ TEST_CASE("actuators keep to what they can do", "[engine][robot]") {
     CHECK(run.hull().led_calls == 2);
 }
 
-TEST_CASE("a description whose ports can't be is refused with the port's name", "[engine][robot]") {
+TEST_CASE("a description with an impossible port is refused with the port's name", "[engine][robot]") {
     const auto refusal = [](const auto& spoil) {
         RobotSpec spec = fake_mouse();
         PortSpec port;

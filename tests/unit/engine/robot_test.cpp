@@ -309,7 +309,8 @@ TEST_CASE("a robot stands while a sensor that it needs is silent", "[engine][rob
     CHECK(run.hull.speeds == Wheels{});
 }
 
-TEST_CASE("a robot whose supply lets it not drive brakes, and drives again", "[engine][robot][safety][hardware]") {
+TEST_CASE("a robot brakes while its supply voltage is low, and drives again afterwards",
+          "[engine][robot][safety][hardware]") {
     RealRun run;
     for (int i = 0; i < 20; ++i) run.drive(0.01);
     run.hull.may_drive = false;

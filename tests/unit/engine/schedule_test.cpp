@@ -128,7 +128,7 @@ TEST_CASE("rates and steps are positive numbers", "[engine][schedule]") {
     CHECK(refusal(100, std::nan("")) == "physics: a step of nan s is not a positive number");
 }
 
-TEST_CASE("1000 Hz asked is 1000 Hz given, whatever the ticks take", "[engine][pacer]") {
+TEST_CASE("a rate of 1000 Hz is kept for any duration of the ticks", "[engine][pacer]") {
     Ticks ticks(1000, 1);
     for (int i = 0; i <= 100'000; ++i) {
         ticks.next();
@@ -140,7 +140,7 @@ TEST_CASE("1000 Hz asked is 1000 Hz given, whatever the ticks take", "[engine][p
     CHECK(ticks.pacer.lateness().skipped() == 0);
 }
 
-TEST_CASE("a rate that is no whole number of nanoseconds does not drift", "[engine][pacer]") {
+TEST_CASE("a rate that is not a whole number of nanoseconds does not drift", "[engine][pacer]") {
     Ticks ticks(300, 0.7);
     for (int i = 0; i <= 210'000; ++i) ticks.next();
     CHECK(ticks.seconds() == Approx(1000).epsilon(1e-9));

@@ -335,7 +335,7 @@ TEST_CASE("running out of time ends a run where that was asked for, whichever ho
     CHECK(system.fatal_error() == rare.last_error());
 }
 
-TEST_CASE("running out of time on the way to ERROR ends such a run too, although something else was wrong first",
+TEST_CASE("a timeout on the way to ERROR also ends a headless run, although another error came first",
           "[engine][system]") {
     System system({.out_of_time_is_fatal = true}, nullptr);
     TryComponent& slow = add(system, "slow", [](TryComponent&) -> Expected<void> { return failure("no"); });

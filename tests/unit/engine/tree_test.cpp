@@ -1,4 +1,4 @@
-// What names of a system lead to, whoever asks.
+// What the names of a system refer to, the same for all users.
 #include <catch2/catch.hpp>
 
 #include "engine/system/act.hpp"

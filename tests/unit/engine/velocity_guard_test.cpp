@@ -114,7 +114,7 @@ TEST_CASE("an axis that turns back brakes to zero first, and the other does not 
     CHECK(v == Velocity2D{.vx = -0.1, .va = 2});
 }
 
-TEST_CASE("whatever is commanded, the guard keeps to the limits and gets there", "[engine][guard][safety]") {
+TEST_CASE("for any command, the guard stays within the limits and reaches the command", "[engine][guard][safety]") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> part(-1.5, 1.5);
     std::uniform_int_distribution<int> periods(1, 40);

@@ -19,7 +19,7 @@ TEST_CASE("characters that turn the direction of writing are written out", "[eng
     CHECK(visible("systems\xE2\x80\xAE"
                   "aul.") == "systems\\u202eaul.");
     CHECK(visible("\xE2\x80\x8F\xE2\x80\xA8\xE2\x81\xA6\xE2\x81\xA9") == "\\u200f\\u2028\\u2066\\u2069");
-    // Dashes, quotes, blanks, letters of whatever script, and what is no text.
+    // Dashes, quotes, blanks, letters of any script, and bytes that are not text.
     const std::string harmless = "\xE2\x80\x94 \xE2\x80\x9C \xE2\x80\xAF \xE3\x83\x8D\xD7\xA9 \xE2\x80 \xFF \xE2";
     CHECK(visible(harmless) == harmless);
 }

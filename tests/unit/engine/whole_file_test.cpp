@@ -64,7 +64,7 @@ TEST_CASE("if a file can't be written completely, this is an error and the old f
           scratch.path("no/it.txt").string() + ": can't be written: No such file or directory");
 }
 
-TEST_CASE("a link, a mode and a device stay what they are", "[engine][base]") {
+TEST_CASE("a link, a file mode and a device are kept when a file is written", "[engine][base]") {
     const Scratch scratch;
     const auto file = scratch.write("it.txt", "before");
     std::filesystem::create_symlink("it.txt", scratch.path("link.txt"));
@@ -98,7 +98,7 @@ TEST_CASE("the old file is kept under another name", "[engine][base]") {
     CHECK(files_in(scratch.path("")) == 2);
 }
 
-TEST_CASE("the reader of a pipe is not waited for, and nothing that lies beside a file", "[engine][base]") {
+TEST_CASE("writing does not wait for the reader of a pipe, and keeps other files in the folder", "[engine][base]") {
     const Scratch scratch;
     const auto pipe = scratch.path("pipe");
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);

@@ -33,7 +33,7 @@ TEST_CASE("a counter's number is taken modulo 65536, signed or not", "[hw][mouse
     }
 }
 
-TEST_CASE("numbers go to the driver as digits and a sign, for it refuses anything else", "[hw][mouse]") {
+TEST_CASE("numbers go to the driver as digits and a sign, because it refuses everything else", "[hw][mouse]") {
     CHECK(encode_number(-400) == "-400");
     CHECK(encode_number(0) == "0");
     CHECK(encode_switch(true) == "1");

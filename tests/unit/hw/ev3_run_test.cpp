@@ -68,7 +68,7 @@ TEST_CASE("an EV3's wheels stand within 50 ms of the program's death", "[hw][ev3
     WARN("stopped " << time * 1e3 << " ms after signal " << signal);
 }
 
-TEST_CASE("an EV3's wheels stand within 250 ms of a stall, and of the death of engine and guard at once",
+TEST_CASE("an EV3's wheels stand within 250 ms of a stall, and when engine and guard die at the same time",
           "[hw][ev3][run][fakes][safety][wallclock]") {
     const bool is_stall = GENERATE(true, false);
     Ev3Run run;

@@ -33,7 +33,7 @@ std::string get(Ev3Nodes& nodes, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a fake brick's motor takes no speed beyond its fastest, and nothing that is no number", "[hw][ev3][fakes]") {
+TEST_CASE("a fake brick's motor accepts no speed above its maximum, and only numbers", "[hw][ev3][fakes]") {
     Ev3Motor motor = large_motor();
     CHECK(motor.read("max_speed", 10) == "1050\n");
     CHECK(motor.write("speed_sp", "1051", 10) == -EINVAL);
@@ -75,7 +75,7 @@ TEST_CASE("a fake brick's run-timed ends by itself, and starts again when it is 
     CHECK(motor.stopped_at(10.5) == Approx(10.39));
 }
 
-TEST_CASE("a fake brick's speed of zero is no power: the motor rolls and is not held", "[hw][ev3][fakes]") {
+TEST_CASE("a fake brick's speed of zero means no power: the motor rolls and is not held", "[hw][ev3][fakes]") {
     Ev3Motor motor = large_motor();
     motor.write("stop_action", "hold", 10);
     motor.write("speed_sp", "400", 10);

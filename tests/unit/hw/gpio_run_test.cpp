@@ -160,7 +160,7 @@ TEST_CASE("a GPIO device that can't be used is refused by one line", "[hw][wire]
     CHECK(refusal.find(expected) != std::string::npos);
 }
 
-TEST_CASE("a message for a line that is no output is dropped and reported", "[hw][wire][run][wallclock]") {
+TEST_CASE("a message for a line that is not an output is dropped and reported", "[hw][wire][run][wallclock]") {
     PinRun run;
     run.write_driver(
         "local pins_out = output('pins_out', 'TimedString')\nfunction on_execute() pins_out:write('24=1') end\n");

@@ -90,7 +90,7 @@ end
     }
 }
 
-TEST_CASE("a device on SPI that is none is refused by one line", "[hw][wire][run][wallclock]") {
+TEST_CASE("a file that is not an SPI device is refused by one line", "[hw][wire][run][wallclock]") {
     SpiRun run;
     std::string device = "safe = '\\x06\\x00'", expected;
     SECTION("without the node") {

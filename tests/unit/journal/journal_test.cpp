@@ -249,7 +249,7 @@ TEST_CASE("a process that is killed leaves a journal that replays to its last wh
     CHECK(again.end.tick == (restarts ? 0 : tick));
 }
 
-TEST_CASE("an act with a million numbers is written beside the ticks", "[journal][wallclock]") {
+TEST_CASE("an act with a million numbers is written while ticks go on", "[journal][wallclock]") {
     SmallRun it("local port = input('in', 'TimedLongSeq', '') function on_execute() port:read() end");
     const auto act = std::make_shared<const PastAct>(
         PastAct{Inject{"it.in", std::vector<std::int32_t>(1'000'000, 12345)}, {Actor::Kind::console}});
@@ -267,7 +267,7 @@ TEST_CASE("an act with a million numbers is written beside the ticks", "[journal
     CHECK(text_of_file(it.file).size() > 16'000'000);
 }
 
-TEST_CASE("a run whose files have names that are no UTF-8 replays from its journal", "[journal]") {
+TEST_CASE("a run whose files have names that are not UTF-8 replays from its journal", "[journal]") {
     const Scratch folder;
     folder.write("behaviors/it.lua", counter);
     folder.write("behaviors/base64:x", "");

@@ -1,4 +1,4 @@
-// Every way in which editors and tools save a file is noticed, and what is no change is not.
+// Every way in which editors and tools save a file is noticed, and a file without a change is not.
 #include "engine/live/file_watcher.hpp"
 
 #include <sys/stat.h>
@@ -128,7 +128,7 @@ TEST_CASE("files that vim saves with a copied backup, and that emacs saves, are 
     CHECK(it.notices_it());
 }
 
-TEST_CASE("a touch, and saving the same text, are no changes", "[lua][watcher]") {
+TEST_CASE("a touch, and saving the same text, are not changes", "[lua][watcher]") {
     Watched it;
     fs::last_write_time(it.file, fs::file_time_type::clock::now());
     write(it.file, "one");
@@ -158,7 +158,7 @@ TEST_CASE("an empty file, an incomplete file and then the complete file are dete
     CHECK(it.notices_it());
 }
 
-TEST_CASE("a deleted file is no change until it exists again", "[lua][watcher]") {
+TEST_CASE("a deleted file is not a change until it exists again", "[lua][watcher]") {
     Watched it;
     fs::remove(it.file);
     CHECK_FALSE(it.notices(0.1));

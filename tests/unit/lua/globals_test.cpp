@@ -36,7 +36,7 @@ TEST_CASE("a global is found in every place", "[lua][syntax]") {
     CHECK(uses("goto done x() ::done:: do local x x() end") == "x@1:11");
 }
 
-TEST_CASE("a local variable is no global", "[lua][syntax]") {
+TEST_CASE("a local variable is not a global", "[lua][syntax]") {
     CHECK(uses("local x = x x = 1") == "x@1:11");
     CHECK(uses("local function f() f() end f()") == "");
     CHECK(uses("local f = function() f() end") == "f@1:22");

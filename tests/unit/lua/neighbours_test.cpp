@@ -252,8 +252,9 @@ TEST_CASE("a robot whose port says so is silent half a second after a new versio
     CHECK(it.heard() == std::vector<double>{3});
 }
 
-TEST_CASE("a version that fails at once changes nothing that its robot says, and ERROR leaves the last message",
-          "[lua][neighbours][reload]") {
+TEST_CASE(
+    "a version that fails in its first execution does not change what its robot says, and ERROR keeps the last message",
+    "[lua][neighbours][reload]") {
     Speakers it;
     it.tick(10);
     CHECK_FALSE(it.live->act(it.saved("speaker", "function"), {}));
@@ -270,7 +271,7 @@ TEST_CASE("a version that fails at once changes nothing that its robot says, and
     CHECK(it.heard() == std::vector<double>{7});
 }
 
-TEST_CASE("what was seen and not read yet is read by the next version, the oldest first", "[lua][neighbours][reload]") {
+TEST_CASE("the next version reads messages that were not read yet, the oldest first", "[lua][neighbours][reload]") {
     const auto listener = [](const std::string& body) {
         return Speakers::listens(", { queue = 4 }", "function on_execute() " + body + " end");
     };

@@ -86,8 +86,7 @@ TEST_CASE("values that are computed again go on to later times, not beyond what 
     CHECK_FALSE((*past)->extend(*it.live, {"keeper.out"}, 0, 1));  // of another present
 }
 
-TEST_CASE("a past run beside a moving system begins no tick that would end too late, but for a little now and then",
-          "[lua][past]") {
+TEST_CASE("a past run beside a moving system rarely begins a tick that would end too late", "[lua][past]") {
     PastRig it;
     it.tick(5000);
     auto past = it.live->begin_seek({.tick = 4900});
@@ -103,7 +102,7 @@ TEST_CASE("a past run beside a moving system begins no tick that would end too l
     CHECK(at() == 4900);
 }
 
-TEST_CASE("what a trace has since when is known", "[lua][past]") {
+TEST_CASE("a trace knows since when it has each value", "[lua][past]") {
     PastRig it;
     it.live->trace().remember_ports();
     it.live->trace().keep(100);

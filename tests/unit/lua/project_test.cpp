@@ -1,4 +1,4 @@
-// Names that become files: the order of places, and what is said when there is none.
+// Names that become files: the order of folders, and the message about a missing file.
 #include "engine/project/project.hpp"
 
 #include <sys/stat.h>

@@ -4,7 +4,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("the version before runs in the tick of a failed one, whatever time is left", "[lua][reload][wallclock]") {
+TEST_CASE("the version before runs in the tick of a failed one, even if no time is left", "[lua][reload][wallclock]") {
     ReloadRig world;
     world.write("it.lua", counter("1"));
     ScriptComponent& it = world.add("it", "it.lua", {}, Budget{0.4});

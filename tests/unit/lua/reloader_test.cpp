@@ -7,7 +7,7 @@ TEST_CASE("a reload keeps a state with a hundred thousand links", "[lua][reload]
     ReloadRig world;
     const Text text =
         "param('x', 1) function on_activated() for i = 1, 100000 do state.list = { next = state.list, i = i } end end";
-    // What it takes is no matter here: the time of a script is the watchdog's.
+    // Its duration does not matter here: the watchdog limits the time of a script.
     world.write("links.lua", text);
     REQUIRE(world.add("links", "links.lua", {}, Budget{20.0}).state() == LifeState::active);
     CHECK(world.change("links.lua", text + "\nfunction on_reload() local n, l = 0, state.list while l do n, l = n + 1, "

@@ -1,4 +1,4 @@
-// Robot files with a slip: what is said, and where.
+// Robot files with a mistake: the message and its location.
 #include <catch2/catch.hpp>
 
 #include "tests/unit/lua/robot_reader.hpp"
@@ -6,7 +6,7 @@
 using namespace nezumi;
 using namespace nezumi::robot_files;
 
-TEST_CASE("a file that is no robot file is refused with one message", "[lua][robot_file][watchdog]") {
+TEST_CASE("a file that is not a robot file is refused with one message", "[lua][robot_file][watchdog]") {
     CHECK(robot_error("") == "r.lua: a robot file ends with `return robot_model { ... }`");
     CHECK(robot_error(with("").substr(7)) == "r.lua: a robot file ends with `return robot_model { ... }`");
     CHECK(robot_error("return {}") == "r.lua: a robot file ends with `return robot_model { ... }`");

@@ -1,4 +1,4 @@
-// Port objects in Lua: values in, values out, their properties, and what is said when they are misused.
+// Port objects in Lua: values in, values out, their properties, and the messages about wrong use.
 #include "tests/unit/lua/rig.hpp"
 
 using namespace nezumi;

@@ -1,4 +1,4 @@
-// Values of parameters that whoever starts a system gives.
+// Values of parameters that are given at the start of a system.
 #include "bindings/lua/files/start_values.hpp"
 
 #include <catch2/catch.hpp>

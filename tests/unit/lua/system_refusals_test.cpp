@@ -1,4 +1,4 @@
-// System files with a slip: what is said, and where.
+// System files with a mistake: the message and its location.
 #include <catch2/catch.hpp>
 
 #include "tests/unit/lua/system_reader.hpp"

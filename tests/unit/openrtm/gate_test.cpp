@@ -1,4 +1,4 @@
-// Connections to the ORB's port that do nothing keep nobody out.
+// Connections to the ORB's port that do nothing exclude no other connection.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>

@@ -1,4 +1,4 @@
-// What people are told of other programs' RTCs.
+// Messages to people about other programs' RTCs.
 #include "bindings/openrtm/peer_text.hpp"
 
 #include <catch2/catch.hpp>
@@ -33,7 +33,7 @@ TEST_CASE("an RTC is shown with state, ports and the set in use", "[openrtm][pee
           "  other sets: default");
 }
 
-TEST_CASE("an RTC whose execution context is stopped is shown as such", "[openrtm][peers]") {
+TEST_CASE("an RTC whose execution context is stopped is shown as stopped", "[openrtm][peers]") {
     CHECK(told({}, {.peers = {{.name = "a", .type = "A", .state = PeerSnapshot::State::active, .is_stopped = true}}}) ==
           "rtm:a  A, ACTIVE, its execution context is stopped");
 }

@@ -96,7 +96,7 @@ TEST_CASE("connections of other RTCs are found by their ids, and have our names 
     CHECK(page["ports"] == SeenPage{{"mouse.target_velocity_in", "TimedLong"}, {"mouse.pose", "TimedLong"}});
 }
 
-TEST_CASE("service ports that are connected are shown as such", "[openrtm][peers]") {
+TEST_CASE("connected service ports are shown as connected", "[openrtm][peers]") {
     PeerSnapshot::Port service{.name = "service", .connections = {"s"}};
     const SeenPage page =
         seen_page({{.name = "pc.host_cxt/A0", .ports = {service}}, {.name = "pc.host_cxt/B0", .ports = {service}}});

@@ -17,7 +17,7 @@ std::string endian_of(std::endian order) {
     return std::string(" serializer.cdr.endian=") + (order == std::endian::little ? "little,big" : "big,little");
 }
 
-// Publishes until an RTC has got it: what is published before a connection is made is nobody's.
+// Publishes until an RTC has got it: a message that is published before the connection is made is lost.
 Value received(WireRig& rig, Peer& peer, const Value& value, std::endian order) {
     rig.publish(value);
     rig.turn();

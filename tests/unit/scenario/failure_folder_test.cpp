@@ -14,7 +14,7 @@ TEST_CASE("the folder of a failure has the names of its file and its run", "[lua
     CHECK(run_file_name("停止_test.lua", "壁の前で止まる", true) == "停止_test-壁の前で止まる");
 }
 
-TEST_CASE("two runs never share a folder for failures, whatever their names", "[lua][scenario][folder]") {
+TEST_CASE("two runs with any names never share a folder for failures", "[lua][scenario][folder]") {
     const auto name = [](std::string_view run) { return run_file_name("a_test.lua", run, true); };
     CHECK(name("a/b") != name("a:b"));
     CHECK(name("a b") != name("a-b"));
@@ -22,7 +22,7 @@ TEST_CASE("two runs never share a folder for failures, whatever their names", "[
     CHECK(run_file_name("one/a_test.lua", "x", false) != run_file_name("two/a_test.lua", "x", false));
 }
 
-TEST_CASE("the folder of a failure is below the given folder, whatever its name", "[lua][scenario][folder]") {
+TEST_CASE("the folder of a failure is below the given folder, with any name", "[lua][scenario][folder]") {
     for (const std::string_view run : {"", ".", "..", "../..", "/", "-", "\n", "a/../../b", "日本", "\xff\xfe"}) {
         for (const char* file : {".lua", "..", "...lua", "日本.lua", "-.lua", "/"}) {
             const std::string name = run_file_name(file, run, true);

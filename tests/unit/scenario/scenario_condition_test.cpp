@@ -111,7 +111,7 @@ TEST_CASE("a condition that records comparisons has the result and the effects o
     CHECK_FALSE(tried.condition->comparisons()[1].evaluated);
 }
 
-TEST_CASE("a touch of what is no robot has Lua's own message", "[lua][scenario][condition]") {
+TEST_CASE("touch of something that is not a robot gives Lua's own message", "[lua][scenario][condition]") {
     for (const char* const expression :
          {"mouse.collided", "not pair.mouse.collided", "(f()).collided", "mouse.mouse.collided"}) {
         CAPTURE(expression);

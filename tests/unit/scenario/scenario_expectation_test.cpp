@@ -1,4 +1,4 @@
-// What becomes of an expectation as samples come in, and how it is told.
+// The verdict of an expectation, sample by sample, and its message.
 #include <catch2/catch.hpp>
 
 #include "bindings/scenario/expectation.hpp"

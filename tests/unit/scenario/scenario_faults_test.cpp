@@ -1,4 +1,4 @@
-// Faults: how they lie over one another, end, and give way to what was there before.
+// Faults: several on one port or robot, their ends, and the return to the state before.
 #include "bindings/scenario/faults.hpp"
 
 #include <catch2/catch.hpp>

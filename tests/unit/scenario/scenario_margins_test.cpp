@@ -185,7 +185,7 @@ TEST_CASE("a margin is the least clearance, however the condition is written", "
     }
 }
 
-TEST_CASE("a session reports margins, whatever the number of jobs", "[scenario][margins][session]") {
+TEST_CASE("a session reports margins for any number of jobs", "[scenario][margins][session]") {
     ScenarioRig rig(two_scenarios);
     rig.options.jobs = 1;
     const SessionEnd one = rig.session();

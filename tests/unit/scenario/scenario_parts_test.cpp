@@ -291,7 +291,7 @@ TEST_CASE("a killed worker loses its run, which a resumed session makes again", 
     CHECK(made == 1);
 }
 
-TEST_CASE("a run whose result can't be stored counts as not made", "[scenario][parts]") {
+TEST_CASE("a run whose result can't be stored counts as missing", "[scenario][parts]") {
     PartsRig rig("scenario('it', function() end)\n");
     rig.folder().write("failures", "a file");
     const SessionEnd end = rig.session();

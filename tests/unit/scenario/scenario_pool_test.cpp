@@ -11,7 +11,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("answers are in the order of the tasks, whatever time each takes", "[lua][scenario][pool]") {
+TEST_CASE("answers are in the order of the tasks, for any durations", "[lua][scenario][pool]") {
     std::string all;
     PoolTasks tasks;
     tasks.count = 6;

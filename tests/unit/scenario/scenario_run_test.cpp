@@ -1,4 +1,4 @@
-// One run: time, outcomes, what can't be caught, and what is said of each way to end.
+// One run: time, outcomes, errors that can't be caught, and the message for each kind of end.
 #include <catch2/catch.hpp>
 
 #include "tests/unit/scenario/scenario_rig.hpp"

@@ -111,7 +111,7 @@ TEST_CASE("a mouse driven at 1.5 m/s with the limit lifted does not flip over", 
     CHECK(run.log.empty());
 }
 
-TEST_CASE("a mouse stands on its wheels and drives, whatever the step", "[sim][fault]") {
+TEST_CASE("a mouse stands on its wheels and drives, for any step of the physics", "[sim][fault]") {
     for (const char* step : {"0.001", "0.005", "0.01"}) {
         Run run("physics { step = " + std::string(step) + " }\n" + mouse);
         run.seconds(1);

@@ -50,7 +50,7 @@ std::string refusal(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("a floor's picture may have any common format, whatever its file is called", "[sim][floor]") {
+TEST_CASE("a floor's picture may have any common format and any file name", "[sim][floor]") {
     const Scratch scratch;
     const std::string files[] = {
         scratch.write("floor.bmp", bitmap()).string(), scratch.write("floor.ppm", portable(255)).string(),

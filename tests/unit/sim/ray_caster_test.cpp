@@ -141,7 +141,7 @@ TEST_CASE("a sensor of several rays gives the nearest hit", "[sim][ray]") {
     CHECK(seen[0] == Approx(0.4825).margin(0.001));
 }
 
-TEST_CASE("a scan gives the same as its rays one by one, whatever its place and its tilt", "[sim][ray]") {
+TEST_CASE("a scan gives the same as its rays one by one, for any place and tilt", "[sim][ray]") {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> u(-1, 1);
     Scene scene;

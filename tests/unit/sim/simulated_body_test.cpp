@@ -300,7 +300,7 @@ TEST_CASE("rates and accelerations of an imu have noise of their own size", "[si
     for (std::size_t k = 0; k < 6; ++k) CHECK(std::sqrt(squares[k] / 2000) == Approx(k < 3 ? 0.01 : 0.2).epsilon(0.1));
 }
 
-TEST_CASE("the rays of a scan that nobody asks for are not cast", "[sim][sensor]") {
+TEST_CASE("the rays of a scan without readers are not cast", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     SensorSpec& scan = spec.sensors[metre];
     scan.kind = SensorSpec::Kind::scan;

@@ -42,7 +42,7 @@ TEST_CASE("a truncated line does not damage the next one", "[console][history]")
     CHECK(history.read() == std::vector<std::string>{"whole", "cut o", "next"});
 }
 
-TEST_CASE("consoles that write at once lose no line, even while the file is shortened", "[console][history]") {
+TEST_CASE("consoles that write at the same time lose no line, even while the file is shortened", "[console][history]") {
     const Scratch folder;
     {
         std::ofstream long_file(folder.path("history"));

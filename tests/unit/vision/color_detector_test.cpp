@@ -251,7 +251,7 @@ TEST_CASE("a detector publishes its result after the latency, and then continues
     CHECK(watch.left() == Approx(0).margin(0.01));
 }
 
-TEST_CASE("on hardware a colour is published as soon as it is known, whatever the latency", "[vision][color]") {
+TEST_CASE("on hardware a colour is published as soon as it is known, without the latency", "[vision][color]") {
     ColorDetector detector("detector", false);
     REQUIRE(detector.parameters().set("latency", 10.0));
     const Time now{.tick = 1, .seconds = 0.01};

@@ -89,7 +89,7 @@ TEST_CASE("when the marker disappears, positions stop and visible becomes false"
     CHECK(watch.port("visible").count() > looks);
 }
 
-TEST_CASE("the intrinsics of a picture are used, or else those of the detector", "[vision][detector]") {
+TEST_CASE("the intrinsics of a picture are used, otherwise those of the detector", "[vision][detector]") {
     MarkerWatch wide(one_marker({0.6, 0, 0.1}), {}, {{"field_of_view", 1.6}, {"width", std::int64_t{800}}});
     wide.run(20);
     CHECK(wide.pos().position.x == Approx(0.6).margin(0.01));

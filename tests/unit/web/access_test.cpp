@@ -55,7 +55,7 @@ TEST_CASE("without the token no WebSocket is opened", "[web][access]") {
     CHECK(status("nezumi, token." + rig.token) == "101");
 }
 
-TEST_CASE("a page of another origin, or of none, is refused with the right token", "[web][access]") {
+TEST_CASE("a page of another origin, or without an origin, is refused even with the right token", "[web][access]") {
     WebRig rig;
     const std::string protocols = "nezumi, token." + rig.token, refused = "403";
     const auto status = [&](const std::string& origin) { return status_of(rig, rig.host(), origin, protocols); };

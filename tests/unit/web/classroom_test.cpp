@@ -184,7 +184,7 @@ TEST_CASE("three exercises ship, each in English and Japanese", "[web][class]") 
     }
 }
 
-TEST_CASE("a folder whose name is no identifier, or that has no system file, is no exercise", "[web][class]") {
+TEST_CASE("a folder whose name is not an identifier, or that has no system file, is not an exercise", "[web][class]") {
     const Scratch scratch;
     for (const char* name : {"good", "not good", "bare"}) {
         const std::string folder = name;

@@ -58,7 +58,7 @@ TEST_CASE("a browser lists, reads and saves the files of the project", "[web][ed
     CHECK(old["content"] == counter_behavior);
 }
 
-TEST_CASE("who may only look may neither read, check nor save files, nor run scenarios", "[web][editor]") {
+TEST_CASE("a view-only browser can't read, check or save files, and can't run scenarios", "[web][editor]") {
     WebRig rig;
     RawBrowser browser = rig.open(rig.view_token);
     int id = 1;

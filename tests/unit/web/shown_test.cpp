@@ -202,8 +202,10 @@ TEST_CASE("an execution is explained to any browser, also a view-only one", "[we
     CHECK(refused["text"] == "mouse is not a behaviour: it has no lines");
 }
 
-TEST_CASE("what has not been executed yet is explained when it is, and a browser is told that time stands",
-          "[web][explain]") {
+TEST_CASE(
+    "a behaviour that has not been executed yet is explained after its first execution, and a browser sees that time "
+    "is paused",
+    "[web][explain]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     REQUIRE(browser.send_frame(Json{{"do", "explain"}, {"id", 1}, {"component", "controller"}}.dump()));
@@ -218,7 +220,7 @@ TEST_CASE("what has not been executed yet is explained when it is, and a browser
     }
 }
 
-TEST_CASE("where time stands, the execution before this moment is explained", "[web][explain]") {
+TEST_CASE("while time is paused, the last execution is explained", "[web][explain]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     int id = 0;

@@ -65,8 +65,7 @@ TEST_CASE("the oldest versions go first when they have too many bytes", "[web][c
     CHECK(fs::exists(scratch.path(".nezumi/versions/behaviors/a.lua/2")));
 }
 
-TEST_CASE("what a program writes beside the editor's texts counts, and is removed when it is too much",
-          "[web][class]") {
+TEST_CASE("files that a program writes count, and are removed when they are too large", "[web][class]") {
     const Scratch scratch;
     const Quota quota{.bytes = 1 << 20, .files = 3};
     scratch.write("start/behaviors/a.lua", "return 1");
