@@ -4,4 +4,4 @@ local out = output("out", "TimedString", "what is to be said")
 
 command("say", function(text)
   out:write(text)
-end, "says a text; beep and tone,HZ,MS are tones")
+end, "speaks a text; beep and tone,HZ,MS are tones")

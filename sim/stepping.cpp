@@ -201,7 +201,7 @@ void OdeWorld::restore_lost_bodies() {
 void OdeWorld::restore(const BodyView& body, const Shape& last, double drop, const std::string& name) {
     if (body.is_sound()) return;
     body.put(last.centre - last.rotation.col(2) * drop, last.rotation);
-    warn_("physics: '" + name + "' got an impossible speed and is back at its place before this tick");
+    warn_("physics: '" + name + "' got an impossible speed and was put back to its place before this tick");
 }
 
 }  // namespace nezumi::sim

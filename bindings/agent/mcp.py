@@ -90,7 +90,7 @@ class Server:
         try:
             request = json.loads(line)
         except (ValueError, RecursionError):
-            self.fail(None, PARSE, "a line that is no JSON")
+            self.fail(None, PARSE, "expected a line of JSON")
             return
         number = request.get("id") if isinstance(request, dict) else None
         if not isinstance(request, dict) or not isinstance(request.get("method"), str):
@@ -98,7 +98,7 @@ class Server:
                 self.fail(None, INVALID, "a request is an object with jsonrpc, id and method")
             return
         if "id" in request and (isinstance(number, bool) or not isinstance(number, (str, int))):
-            self.fail(None, INVALID, "the id of a request is a number or a text")
+            self.fail(None, INVALID, "the id of a request must be a number or a string")
         elif request["method"] == "ping" and "id" in request:
             self.send({"id": number, "result": {}})
         elif request["method"] == "notifications/cancelled":

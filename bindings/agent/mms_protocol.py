@@ -159,7 +159,7 @@ class Game:
         self._left = None
 
     def answer(self, line):
-        """The answer; "" for none, None if it is no command."""
+        """The answer; "" for none, None if it is not a command."""
         words = line.split()
         name = words[0] if words else ""
         if name in ("setWall", "clearWall", "setColor", "clearColor", "clearAllColor", "setText", "clearText",

@@ -54,7 +54,7 @@ class Project:
         self.root = os.path.realpath(folder)
         self.behaviors = os.path.join(self.root, "behaviors")
         if os.path.realpath(self.behaviors) != self.behaviors or not os.path.isdir(self.behaviors):
-            raise Wrong("%s is no project: it has no folder behaviors/ of its own" % folder)
+            raise Wrong("%s is not a project: it has no folder behaviors/ of its own" % folder)
 
     def files(self):
         """All files with their paths from the project's folder; none that lies outside of it, or is hidden."""
@@ -87,7 +87,7 @@ class Project:
             raise Wrong("the name of a behaviour has small letters, digits and _, and does not end in _test")
         path = os.path.join(self.behaviors, name + ".lua")
         if os.path.islink(path) or (os.path.exists(path) and not os.path.isfile(path)):
-            raise Wrong("behaviors/%s.lua is no plain file" % name)
+            raise Wrong("behaviors/%s.lua is not a regular file" % name)
         return path
 
     def content(self, name):

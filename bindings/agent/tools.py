@@ -48,7 +48,7 @@ class Tool:
                 return "there is no argument %s" % ascii(name)[:100]
             kind = rule.get("type")
             if kind == "string" and (not isinstance(value, str) or len(value) > rule["maxLength"]):
-                return "'%s' is a text of at most %d signs" % (name, rule["maxLength"])
+                return "'%s' must be a string of at most %d characters" % (name, rule["maxLength"])
             if kind == "boolean" and not isinstance(value, bool):
                 return "'%s' is true or false" % name
             if kind == "number":
@@ -60,7 +60,7 @@ class Tool:
 
 
 FLAG = {"type": "boolean"}
-VALUE = {"description": "a number, a text, a boolean, a list or an object of them"}
+VALUE = {"description": "a number, a string, a boolean, a list or an object of them"}
 
 TOOLS = {
     "list_files": Tool("The files of the project: behaviours, systems, scenarios and others; your drafts; which scenarios count."),
@@ -236,7 +236,7 @@ class Tools:
     @staticmethod
     def _name(pattern, path):
         if not pattern.fullmatch(path):
-            raise Wrong("%s is no name: expected names with points between them, as mouse.truth.pose" % ascii(path)[:100])
+            raise Wrong("%s is not a name: expected names with points between them, as mouse.truth.pose" % ascii(path)[:100])
         # A port may be called like a keyword: controller.in
         first, *rest = path.split(".")
         return first + "".join(".ports[\"in\"]" if each == "in" else "." + each for each in rest)

@@ -99,7 +99,7 @@ def open_sheet(desktop, file, is_headless):
     if document is None:
         raise Refused("LibreOffice can't open %s" % (file or "a new sheet"))
     if not document.supportsService("com.sun.star.sheet.SpreadsheetDocument"):
-        raise Refused("%s is no spreadsheet" % file)
+        raise Refused("%s is not a spreadsheet" % file)
     return document
 
 

@@ -97,7 +97,7 @@ def from_cell(content, kind, address):
     if kind == TEXT:
         if isinstance(content, str):
             if len(content) > LONGEST_TEXT:
-                raise Wrong("%s: a text of more than %d characters is not sent" % (address, LONGEST_TEXT))
+                raise Wrong("%s: the text has more than %d characters and is not sent" % (address, LONGEST_TEXT))
             return content
         return str(int(content)) if content.is_integer() else repr(content)
     if kind == BOOLEAN:

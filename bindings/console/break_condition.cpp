@@ -76,7 +76,8 @@ Expected<std::unique_ptr<BreakCondition>> BreakCondition::of_function(lua_State*
     });
     if (!loaded) return failure(loaded.error().message);
     if (wrong != nullptr)
-        return failure(fmt::format("the condition uses '{}': it can use only its argument, numbers and texts", wrong));
+        return failure(
+            fmt::format("the condition uses '{}': it can use only its argument, numbers and strings", wrong));
     return std::unique_ptr<BreakCondition>(new BreakCondition(std::move(*state)));
 }
 

@@ -68,8 +68,9 @@ Expected<std::string> line_of(const System& system, const LineTrace::Watched& pl
         const std::set<int> lines = chunk ? lines_of_functions(chunk->bytecode) : std::set<int>();
         if (lines.contains(place.line)) return line;
         const auto next = lines.upper_bound(place.line);
-        return failure(fmt::format("no execution runs line {} of {}{}", place.line, file,
-                                   next == lines.end() ? "" : fmt::format("; the next that one may run is {}", *next)));
+        return failure(
+            fmt::format("no function runs line {} of {}{}", place.line, file,
+                        next == lines.end() ? "" : fmt::format("; the next line that a function runs is {}", *next)));
     }
     return failure(fmt::format("no behaviour runs a file '{}'; there {} {}", shown(place.file),
                                files.find(',') == files.npos ? "is" : "are", files.empty() ? "none" : files));

@@ -95,7 +95,7 @@ Expected<CommandEnd> command_drive(Session::Parts& parts, const Arguments& argum
         } else if (arguments.count() < 1) {
             return failure("expected a port to drive, as in drive \"stick\", got nothing");
         } else {
-            return Unexpected(what.error().message.find("names no port") != std::string::npos ? component.error()
+            return Unexpected(what.error().message.find("is not a port") != std::string::npos ? component.error()
                                                                                               : what.error());
         }
     }

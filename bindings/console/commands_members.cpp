@@ -56,7 +56,7 @@ Expected<CommandEnd> add_entry(Session::Parts& parts, const Arguments& arguments
     if (!present) return failure("interrupted");
     auto& [at, has_owner] = *present;
     if (has_owner) {
-        return failure(fmt::format("the name '{0}' is taken: remove \"{0}\" frees it, or choose another",
+        return failure(fmt::format("the name '{0}' is already used: remove \"{0}\" frees it, or choose another",
                                    shown(*name->get_if<std::string>())));
     }
     FileSnapshot files(at.project.files());

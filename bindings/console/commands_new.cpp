@@ -21,7 +21,7 @@ Expected<std::vector<std::string>> read_texts(const FileTable& table, std::strin
     const Value* const value = table.find(field);
     if (value == nullptr) return texts;
     const auto refused =
-        failure(fmt::format("{}: expected a list of texts, as in {{ \"distance:TimedShortSeq\" }}", field));
+        failure(fmt::format("{}: expected a list of strings, as in {{ \"distance:TimedShortSeq\" }}", field));
     if (value->get_if<FileTable>() == nullptr || !value->get_if<FileTable>()->fields.empty()) return refused;
     for (const Value& element : value->get_if<FileTable>()->elements) {
         if (element.get_if<std::string>() == nullptr) return refused;
@@ -38,7 +38,7 @@ Expected<BehaviorRequest> read_behavior_request(const std::string& name, const F
                                    did_you_mean(field.name, {fields.begin(), fields.end()}), fmt::join(fields, ", ")));
     }
     if (const Value* doc = table.find("doc"); doc != nullptr) {
-        if (doc->get_if<std::string>() == nullptr) return failure("doc: expected a text");
+        if (doc->get_if<std::string>() == nullptr) return failure("doc: expected a string");
         request.doc = *doc->get_if<std::string>();
     }
     for (const auto& [field, texts] :

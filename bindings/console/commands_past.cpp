@@ -204,7 +204,8 @@ Expected<CommandEnd> command_resume(Session::Parts& parts, const Arguments& argu
             if (auto back = come_back(parts); !back) return back;
             if (parts.options.batch) return Expected<void>();
         }
-        if (parts.options.batch) return failure("how long? Time moves only by step(n) and run(seconds) here");
+        if (parts.options.batch)
+            return failure("expected seconds, as in run(1): time moves only by step(n) and run(seconds) here");
         parts.clock.resume();
         return Expected<void>();
     });

@@ -182,7 +182,7 @@ Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot, 
 
 std::string to_text(PlotCurves looked) {
     const auto names = fmt::format("{}", fmt::join(looked.plot.names, ", "));
-    if (looked.curves.empty()) return names + " has carried nothing in this time that can be drawn";
+    if (looked.curves.empty()) return names + " carried nothing in this time that can be drawn";
     if (looked.plot.names.size() == 1) return names + "\n" + braille_plot(looked.curves, looked.from, looked.to);
     // Several ports share one drawing, and so one scale.
     std::vector<Curve> drawn;
@@ -196,7 +196,7 @@ std::string to_text(PlotCurves looked) {
         drawn.push_back(std::move(curve));
     }
     for (const std::string& name : looked.silent)
-        texts += fmt::format("{}{} has carried nothing in this time", texts.empty() ? "" : "\n", name);
+        texts += fmt::format("{}{} carried nothing in this time", texts.empty() ? "" : "\n", name);
     std::string text = fmt::format("{}", fmt::join(plain_plot(drawn, {.rows = 10}), "\n"));
     return text + (text.empty() || texts.empty() ? "" : "\n") + texts;
 }

@@ -46,7 +46,8 @@ Expected<CommandEnd> command_step(Session::Parts& parts, const Arguments& argume
 
 Expected<CommandEnd> command_run(Session::Parts& parts, const Arguments& arguments) {
     if (!arguments.has(1)) {
-        if (parts.options.batch) return failure("how long? Time moves only by step(n) and run(seconds) here");
+        if (parts.options.batch)
+            return failure("expected seconds, as in run(1): time moves only by step(n) and run(seconds) here");
         parts.clock.resume();
         return CommandEnd::done;
     }

@@ -101,7 +101,7 @@ int go_on_waiting(lua_State* L, int /*status*/, lua_KContext /*context*/) {
 
 int begin_waiting(lua_State* L) {
     if (can_pause(L)) return go_on_waiting(L, LUA_OK, 0);
-    return luaL_error(L, "here a page can't wait: call it by itself");
+    return luaL_error(L, "a page can't wait here: call this function directly");
 }
 
 // Upvalues: the parts, the number of the command.
@@ -262,7 +262,7 @@ const std::vector<ConsoleCommand>& console_commands() {
          {"robot", 2}},
         {"marker",
          "marker { name = ..., id = ... }",
-         "hangs up a marker",
+         "adds a marker",
          1,
          command_marker,
          true,

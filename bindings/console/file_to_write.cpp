@@ -15,7 +15,7 @@ Expected<std::filesystem::path> file_to_write(const std::filesystem::path& home,
     if (std::any_of(name.begin(), name.end(), is_control))
         return failure(fmt::format("'{}' is not a file name: it contains a control character", shown(name)));
     std::filesystem::path path = name;
-    if (path.filename().empty()) return failure(fmt::format("'{}' names no file", name));
+    if (path.filename().empty()) return failure(fmt::format("'{}' is not a file name", name));
     if (!path.has_extension()) path += written.endings.front();
     if (const auto what = other_than_file(path); !what.empty())
         return failure(fmt::format("'{}' is {}: give another name", path.string(), what));

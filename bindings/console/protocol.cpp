@@ -29,7 +29,7 @@ public:
         const Json* value = find(name);
         if (value == nullptr) return "";
         if (value->is_string()) return value->get_ref<const std::string&>();
-        wrong(name, "a text");
+        wrong(name, "a string");
         return "";
     }
     bool flag(const char* name, bool otherwise) {
@@ -56,10 +56,10 @@ public:
         const Json* value = find(name);
         std::vector<std::string> texts;
         if (value == nullptr) return texts;
-        if (!value->is_array()) wrong(name, "a list of texts");
+        if (!value->is_array()) wrong(name, "a list of strings");
         for (const Json& item : *value) {
             if (!item.is_string()) {
-                wrong(name, "a list of texts");
+                wrong(name, "a list of strings");
                 break;
             }
             texts.push_back(item.get_ref<const std::string&>());

@@ -244,7 +244,8 @@ void Session::after_tick() {
     std::erase_if(parts.explained, [&parts](const Explained& each) {
         const bool is_same = each.start == parts.live.generation();
         const auto seen = is_same ? parts.live.explanation(each.component, each.trace)
-                                  : Expected<std::optional<Explanation>>(failure(each.component + " began again"));
+                                  : Expected<std::optional<Explanation>>(
+                                        failure(each.component + " was replaced by a restart or a seek"));
         if (seen && !*seen) return false;
         if (seen) {
             parts.show(to_text(**seen));

@@ -207,7 +207,7 @@ public:
         participant_.emplace(dds_create_participant(options.domain, nullptr, nullptr));
         if (!participant_->ok()) return explain("the domain can't be joined", participant_->get());
         if (options.loopback && hear_loopback_only(ports_of(options.domain)) < 1)
-            return "the domain can't be kept to this computer: its sockets take no filter";
+            return "the domain can't be limited to this computer: its sockets accept no filter";
         publications_.emplace(
             dds_create_reader(participant_->get(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr));
         subscriptions_.emplace(

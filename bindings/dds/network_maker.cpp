@@ -57,7 +57,7 @@ public:
                 "{}: connect can't reach the node's ports: use ros {{ publish = ..., subscribe = ... }}", shown(path)));
         if (hosts_ != nullptr) return hosts_->reach(path, other);
         return failure(
-            fmt::format("{} is on another host: that needs the word network in the system's file", shown(path)));
+            fmt::format("{} is on another host: add network {{ name = ... }} to the system file", shown(path)));
     }
     void between_ticks(const ActDoor& act, const QuestionDoor& answer) override {
         if (hosts_ != nullptr) hosts_->between_ticks(act, answer);
@@ -77,7 +77,7 @@ public:
     }
     Expected<std::uint64_t> ask(const Question& question) const override {
         if (hosts_ != nullptr) return hosts_->ask(question);
-        return failure("there are no other hosts: the system's file has no word network");
+        return failure("there are no other hosts: the system file has no network { name = ... }");
     }
     std::optional<Expected<PlainData>> answer(std::uint64_t number) const override {
         return hosts_ != nullptr ? hosts_->answer(number) : std::nullopt;

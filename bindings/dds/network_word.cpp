@@ -16,7 +16,7 @@ void NetworkWord::complete(NetworkSpec& given, Fields& fields, const PeerCall& c
     if (check.ok() && call.is_taken(given.name))
         check.wrong({"name"}, fmt::format("may not be '{}', a keyword of Lua or a command of the console", given.name));
     if (check.ok() && given.open && !given.secret.empty())
-        check.explain({"open"}, "with a `secret`, only hosts that have it may write: leave one of them out");
+        check.explain({"open"}, "with a `secret`, only hosts that have it may write: leave out one of them");
     if (check.ok() && !given.hosts.empty() && !given.lockstep)
         check.explain({"hosts"}, "only lockstep waits for hosts: say `lockstep = true` as well");
     check_peers(check, given.peers);
@@ -45,7 +45,7 @@ Expected<void> NetworkWord::check(const SystemSpec& system) const {
         const auto refuse = [&](std::string_view why) {
             return failure(fmt::format("connect: {}: {}", remote, why), each.place);
         };
-        if (network == nullptr) return refuse("a port of another host needs the word network { name = ... }");
+        if (network == nullptr) return refuse("a port of another host needs network { name = ... } in the system file");
         if (is_remote(each.from) && is_remote(each.to))
             return refuse("both ends are on other hosts: one of these connects them");
         if (host_of(remote) == network->name)

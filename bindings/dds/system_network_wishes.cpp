@@ -77,7 +77,8 @@ bool SystemNetwork::make_what_others_want(const std::vector<Ends>& present, cons
                 continue;
             }
             if (theirs_first && !settings_.writable) {
-                refuse(ends, "others may only look: a secret or open = true in the word network lets them write");
+                refuse(ends,
+                       "other hosts can only read: write secret or open = true in network { ... } to let them write");
                 continue;
             }
             if (++made_now > most_made) continue;  // at the next check

@@ -121,7 +121,7 @@ Expected<void> check_in_ports(const RecordedDrive& drive, const Component& behav
         }
         if (recorded->second.type == port->type() || recorded->second.messages.empty()) continue;
         if (recorded->second.type->name == port->type()->name && !port->type()->is_compiled()) {
-            return failure(fmt::format("input '{}': the definition of {} is another one than in the recording",
+            return failure(fmt::format("input '{}': the definition of {} differs from the one in the recording",
                                        port->name(), port->type()->name));
         }
         return failure(fmt::format("input '{}' is a {}, and the recording has a {}", port->name(), port->type()->name,
@@ -180,8 +180,9 @@ Expected<RecordedDrive> drive_of(Replay& replay, RunningSystem& live, const std:
         const auto more = replay.before_tick(live);
         if (!more) return Unexpected(more.error());
         if (live.generation() != start) {
-            drive.notes.push_back(fmt::format("the run was restarted or went back after {:g} s: judged up to there",
-                                              static_cast<double>(drive.ticks) / drive.rate));
+            drive.notes.push_back(
+                fmt::format("the run was restarted or went back after {:g} s: only the part before that was judged",
+                            static_cast<double>(drive.ticks) / drive.rate));
             break;
         }
         const Component* its = std::as_const(live).system().find(component);

@@ -100,7 +100,7 @@ void Journal::end(RunEnd how, const std::string& message, const ActTime& when, s
     if (!error_) {
         own_->file.replace_older();
     } else {
-        error_->message += ": the lines that are whole are kept" + own_->file.told_of_older();
+        error_->message += ": the complete lines are kept" + own_->file.told_of_older();
     }
 }
 

@@ -151,10 +151,10 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
     // A journal need not have them: none were given.
     values_.file = field<std::string>(json, "params").value_or("");
     if (const auto set = json.find("set"); set != json.end()) {
-        if (!set->is_array()) return wrong(1, "'set' must be a list of texts");
+        if (!set->is_array()) return wrong(1, "'set' must be a list of strings");
         for (const Json& each : *set) {
             auto text = text_from_json(each);
-            if (!text) return wrong(1, "'set' must be a list of texts");
+            if (!text) return wrong(1, "'set' must be a list of strings");
             values_.set.emplace_back(std::move(*text));
         }
     }
@@ -297,7 +297,7 @@ Expected<bool> Replay::before_tick(RunningSystem& live) {
         if (entry.when.start == now.start && due > here) return true;
         if (due != here) {
             return wrong(entry.line,
-                         fmt::format("{} never comes: the run is at {}", text_of(entry.when), text_of(now)));
+                         fmt::format("{} is never reached: the run is at {}", text_of(entry.when), text_of(now)));
         }
         if (entry.kind == Entry::Kind::act) {
             if (auto done = perform(live, entry); !done) return Unexpected(done.error());

@@ -149,7 +149,7 @@ Expected<std::string> text_from_json(const Json& json) {
     if (json.is_object() && bytes != json.end() && bytes->is_string()) {
         if (auto text = from_base64(bytes->get_ref<const std::string&>())) return std::move(*text);
     }
-    return failure(expected_in_json("a text", json));
+    return failure(expected_in_json("a string", json));
 }
 
 std::string text_to_key(const std::string& text) {
@@ -159,7 +159,7 @@ std::string text_to_key(const std::string& text) {
 Expected<std::string> text_from_key(const std::string& key) {
     if (!key.starts_with(base64_key)) return key;
     auto text = from_base64(std::string_view(key).substr(base64_key.size()));
-    if (!text) return failure(expected_in_json("a text", key));
+    if (!text) return failure(expected_in_json("a string", key));
     return std::move(*text);
 }
 

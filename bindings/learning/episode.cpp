@@ -58,7 +58,7 @@ public:
 
 private:
     std::string put(double number) {
-        if (std::isnan(number)) return fmt::format("number {} is not a number (nan)", count_ + 1);
+        if (std::isnan(number)) return fmt::format("number {} is NaN", count_ + 1);
         if (count_ < out_.size()) out_[count_] = static_cast<float>(number);
         ++count_;
         return "";

@@ -23,7 +23,7 @@ Expected<void> limit(std::span<float> action, const std::vector<SpacePart>& part
     for (const SpacePart& part : parts) {
         for (std::size_t i = 0; i < part.count; ++i, ++next) {
             float& value = action[next];
-            if (std::isnan(value)) return failure(fmt::format("action '{}' is not a number (nan)", part.name));
+            if (std::isnan(value)) return failure(fmt::format("action '{}' is NaN", part.name));
             value = std::clamp(value, static_cast<float>(part.min), static_cast<float>(part.max));
         }
     }

@@ -201,7 +201,7 @@ std::optional<ParameterSpec> read_parameter(const pugi::xml_node& configuration,
     const std::string_view type_name = attribute_of(configuration, "type");
     const std::string_view text = attribute_of(configuration, "defaultValue");
     const auto like = zero_of_rtc_type(type_name);
-    if (!like) remark(fmt::format("its type '{}' is unknown and becomes a text", shown(type_name)));
+    if (!like) remark(fmt::format("its type '{}' is unknown, so it becomes a string", shown(type_name)));
     spec.initial = like.value_or(Value(std::string()));
     if (auto value = value_in(text, spec.initial)) {
         spec.initial = std::move(*value);

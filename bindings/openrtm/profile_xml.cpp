@@ -48,7 +48,7 @@ std::string wrong_with(const pugi::xml_document& document) {
     pugi::xml_node node = document.first_child();
     while (node) {
         if (node.type() == pugi::node_doctype) return "has a DOCTYPE, which a profile can't have: remove it";
-        if (!has_text_alone(node)) return "is not a text in UTF-8: save it as UTF-8";
+        if (!has_text_alone(node)) return "is not UTF-8 text: save it as UTF-8";
         if (depth > deepest_profile)
             return fmt::format("has more than {} nested elements, too many for a profile", deepest_profile);
         if (node.first_child()) {

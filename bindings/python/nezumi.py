@@ -142,7 +142,7 @@ def start(file, *options, seed=None, program="nezumi", timeout=10.0, folder=None
     reader.join()
     process.stdin.close()
     process.stderr.close()
-    raise Ended(b"".join(said).decode(errors="replace").strip() or "the run of %s ended at once" % file)
+    raise Ended(b"".join(said).decode(errors="replace").strip() or "the run of %s ended immediately" % file)
 
 
 # Runs in the console: values as JSON, in pieces, as `print` shortens long texts. Each has the request's number.
@@ -276,7 +276,7 @@ class Console:
         self.run("inject(%s, %s)" % (lua(port), lua(value)), timeout)
 
     def hold(self, port, value, take=False, timeout=None):
-        """This value in every tick and nothing else, until `release`. `take`: from whoever else holds it."""
+        """This value in every tick and nothing else, until `release`. `take`: also if another actor holds it."""
         self.run("hold(%s, %s%s)" % (lua(port), lua(value), ", { take = true }" if take else ""), timeout)
 
     def release(self, port, timeout=None):
@@ -288,7 +288,7 @@ class Console:
         self.run("\n".join(lines), timeout)
 
     def begin(self, expression):
-        """As `eval`, without waiting: `finish` takes what this returns. So several systems can work at once."""
+        """As `eval`, without waiting: `finish` takes what this returns. So several systems can work at the same time."""
         self._number += 1
         return self._send("nezumi_answer(%d, (function() return %s\nend)())" % (self._number, expression))
 
@@ -338,7 +338,7 @@ class Console:
 
 
 def _port(path):
-    """How a port is written, whatever it is called: `controller.in` is a keyword of Lua's."""
+    """How a port is written, also if its name is a keyword of Lua, as in `controller.in`."""
     component, _, name = path.partition(".")
     return "%s.ports[%s]" % (component, lua(name))
 

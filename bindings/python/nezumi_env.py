@@ -72,7 +72,7 @@ class Environment:
 
     @property
     def console(self):
-        """The console of the running world, for whatever else there is to look at."""
+        """The console of the running world, for everything else."""
         if self._console is None:
             raise nezumi.Error("there is no world yet: call reset() first")
         return self._console

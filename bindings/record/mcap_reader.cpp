@@ -167,7 +167,7 @@ private:
         message.log_time = content.number<std::uint64_t>();
         message.publish_time = content.number<std::uint64_t>();
         message.data = content.rest();
-        if (!content.is_whole()) return wrong("the message is not whole");
+        if (!content.is_whole()) return wrong("the message is incomplete");
         if (!file_.channels.contains(message.channel))
             return wrong(fmt::format("the message has no channel {}", message.channel));
         total_ += message.data.size();
@@ -183,13 +183,13 @@ private:
         const auto expected = content.number<std::uint32_t>();
         const std::string_view compression = content.text();
         const std::string_view packed = content.take(content.number<std::uint64_t>());
-        if (!content.is_whole()) return wrong("the chunk is not whole");
+        if (!content.is_whole()) return wrong("the chunk is incomplete");
         if (size > most_chunk_bytes) return wrong("the chunk has more than 256 MB");
         std::optional<std::string> unpacked;
         std::string_view records = packed;
         if (compression == "zstd" || compression == "lz4") {
             unpacked = compression == "zstd" ? unpack_zstd(packed, size) : unpack_lz4(packed, size);
-            if (!unpacked) return wrong(fmt::format("the chunk is no {} of {} bytes", compression, size));
+            if (!unpacked) return wrong(fmt::format("the chunk is not {} data of {} bytes", compression, size));
             records = *unpacked;
         } else if (!compression.empty()) {
             return wrong(fmt::format("unknown compression '{}': expected zstd, lz4 or none", shown(compression)));

@@ -353,13 +353,13 @@ std::string_view unit_in(std::string_view field) {
 
 ObservedSource observe_function(const SyntaxTree& tree, const FunctionPlace& place, std::string_view hook) {
     const SyntaxNode* found = nullptr;
-    if (tree.error() != nullptr) return {.why = "its text is not found"};
+    if (tree.error() != nullptr) return {.why = "its source text was not found"};
     for (const SyntaxNode& node : tree.nodes()) {
         if (!node.is(Kind::function) || !fits(node, place)) continue;
-        if (found != nullptr) return {.why = "several functions begin in its line"};
+        if (found != nullptr) return {.why = "several functions begin on its line"};
         found = &node;
     }
-    if (found == nullptr) return {.why = "its text is not found"};
+    if (found == nullptr) return {.why = "its source text was not found"};
     Rewriter rewriter(tree, *found, hook);
     rewriter.observe();
     return {rewriter.text(), rewriter.constants(), std::move(rewriter.observed), ""};

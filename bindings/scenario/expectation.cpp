@@ -67,7 +67,7 @@ std::string Expectation::explain() const {
         case Kind::always:
             if (kept_until_ < 0)
                 return fmt::format("{} did not hold at its first sample, at {}", title(), span(broken_at_));
-            return fmt::format("{} held until {} and ceased at {}", title(), span(kept_until_), span(broken_at_));
+            return fmt::format("{} held until {} and failed at {}", title(), span(kept_until_), span(broken_at_));
         case Kind::never: return fmt::format("{} happened at {}", title(), span(broken_at_));
         case Kind::wait_until:
         case Kind::eventually:

@@ -149,7 +149,7 @@ Expected<KeptPlan> find_plan(const std::vector<fs::path>& folders) {
     for (const fs::path& folder : folders) {
         std::error_code none;
         if (!known.insert(fs::weakly_canonical(folder, none)).second)
-            return failure("is given twice: leave one of them out", {.file = folder.string()});
+            return failure("is given twice: leave out one of them", {.file = folder.string()});
         const std::vector<fs::path> plans = plans_in(folder);
         if (plans.empty())
             return failure("has no results of nezumi test --shard: expected a folder that it wrote with -o",

@@ -43,7 +43,7 @@ public:
         if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
         if (summary.could_not_run > 0) text += fmt::format(", {} could not run", summary.could_not_run);
         text += fmt::format(" (seed {}, ", summary.seed);
-        if (summary.kept > 0) text += fmt::format("{} kept and {} made: ", summary.kept, all - summary.kept);
+        if (summary.kept > 0) text += fmt::format("{} kept and {} run now: ", summary.kept, all - summary.kept);
         text += fmt::format("{:.2f} s simulated ", summary.seconds);
         text += summary.merged > 0 ? fmt::format("elsewhere, merged from {} folder{})\n", summary.merged,
                                                  summary.merged == 1 ? "" : "s")

@@ -95,14 +95,15 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
     }
     if (channels.empty()) return raise(run, fmt::format("'{}': expected ports after the name", name));
     if (run.current().options().build.real_time)
-        return raise(run, fmt::format("'{}': two runs of a real robot always differ: leave this to simulation", name));
+        return raise(run,
+                     fmt::format("'{}': two runs of a real robot always differ: use this only in simulation", name));
     Place place = calling_place(lua);
     auto file = (std::filesystem::path(place.file).parent_path() / name).lexically_normal();
     const auto home = writable_folder(run.file_.project(), place.file);
     if (auto ok = check_is_within(home, file, name, "a golden"); !ok) return raise(run, ok.error().message);
     for (const GoldenUse& other : run.result_.goldens) {
         if (other.file != file) continue;
-        return raise(run, fmt::format("'{}': is the golden of {}:{} already: choose another name", name,
+        return raise(run, fmt::format("'{}' is already used by the golden at {}:{}: choose another name", name,
                                       other.place.file, other.place.line));
     }
     run.result_.goldens.push_back({file.string(), place});

@@ -34,11 +34,8 @@ struct Describe<Scenario> {
               "number of random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, and "
               "to earlier values in their list",
               {.fallback = "20 when a sweep has a range"}},
-        Extra{"seeds",
-              "integer",
-              "",
-              "how many runs are made of each combination, each with its own seed",
-              {.fallback = "once"}},
+        Extra{
+            "seeds", "integer", "", "number of runs of each combination, each with its own seed", {.fallback = "once"}},
         Extra{"seed",
               "integer",
               "",

@@ -98,7 +98,7 @@ bool has_run_called(const Scenario& swept, const Scenario& other) {
 }
 
 std::string place_of(const Scenario& scenario) {
-    return fmt::format("the scenario of {}:{}", scenario.place.file, scenario.place.line);
+    return fmt::format("the scenario at {}:{}", scenario.place.file, scenario.place.line);
 }
 
 }  // namespace
@@ -279,7 +279,7 @@ Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
     if (auto ok = check_parameters(lua, has_options ? 3 : 2, 2); !ok)
         return failure(fmt::format("{}: the function gets the scenario and its values; {}", what, ok.error().message));
     if (const auto same = named_.find(scenario.name); same != named_.end())
-        return failure(fmt::format("{}: the name is taken by {}", what, place_of(scenarios_[same->second])));
+        return failure(fmt::format("{}: the name is already used by {}", what, place_of(scenarios_[same->second])));
     if (has_options && lua_type(lua, 2) == LUA_TTABLE) {
         if (auto ok = read_options(lua, 2, scenario); !ok) return Unexpected(ok.error());
     }
@@ -297,7 +297,7 @@ Expected<void> ScenarioFile::check_names_of_runs(const Scenario& scenario) const
             const auto swept = named_.find(name.substr(0, end));
             if (swept == named_.end() || !has_run_called(scenarios_[swept->second], scenario)) continue;
             return failure(
-                fmt::format("{}: the name is taken by a run of {}", what, place_of(scenarios_[swept->second])));
+                fmt::format("{}: the name is already used by a run of {}", what, place_of(scenarios_[swept->second])));
         }
         return {};
     }
@@ -319,10 +319,10 @@ Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& s
         if (options.whole("seed", seed, 0, std::numeric_limits<std::int64_t>::max())) {
             scenario.seed = static_cast<std::uint64_t>(seed);
             if (has_seeds)
-                options.check().explain({"seeds"}, "'seed' gives all runs the same one: leave one of them out");
+                options.check().explain({"seeds"}, "'seed' gives all runs the same one: leave out one of them");
         }
         if (options.whole("search", search, 1, static_cast<std::int64_t>(most_runs))) {
-            const std::string_view why = "'search' chooses the runs: leave one of them out";
+            const std::string_view why = "'search' chooses the runs: leave out one of them";
             if (has_samples) options.check().explain({"samples"}, std::string(why));
             if (has_seeds) options.check().explain({"seeds"}, std::string(why));
             if (options.gives("paired")) options.check().explain({"paired"}, std::string(why));

@@ -231,7 +231,8 @@ int ScenarioRun::Methods::expect(ScenarioRun& run, lua_State* lua, Expectation::
     if (lua_gettop(lua) > function)
         return raise(run, fmt::format("'{}': expected nothing after the function", terms.name));
     if (auto ok = check_parameters(lua, function, 0); !ok)
-        return raise(run, fmt::format("'{}': the function is called with nothing; {}", terms.name, ok.error().message));
+        return raise(run,
+                     fmt::format("'{}': the function is called without arguments; {}", terms.name, ok.error().message));
 
     auto condition = Condition::take(lua, function, run.function_texts_);
     if (!condition) return raise(run, condition.error().message);
@@ -258,7 +259,7 @@ int ScenarioRun::Methods::run_seconds(ScenarioRun& run, lua_State* lua) {
 // The message of a check is a text, or a number as Lua shows it.
 std::optional<int> ScenarioRun::Methods::wrong_message(ScenarioRun& run, lua_State* lua, int index) {
     if (lua_isnoneornil(lua, index) || lua_isstring(lua, index) != 0) return std::nullopt;
-    return raise(run, fmt::format("expected a message (a text), got {}", Arguments{lua}.kind(index)));
+    return raise(run, fmt::format("expected a message (a string), got {}", Arguments{lua}.kind(index)));
 }
 
 int ScenarioRun::Methods::check(ScenarioRun& run, lua_State* lua) {
@@ -336,8 +337,8 @@ int ScenarioRun::Methods::measure(ScenarioRun& run, lua_State* lua) {
     const auto& taken = run.result_.measures;
     const auto before = std::find_if(taken.begin(), taken.end(), same);
     if (before != taken.end())
-        return raise(run,
-                     fmt::format("{}: is measured already, as {}: a run keeps one number a name", what, before->value));
+        return raise(run, fmt::format("{}: is already measured, as {}: a run keeps one number for each name", what,
+                                      before->value));
     run.result_.measures.push_back(std::move(measure));
     return 0;
 }

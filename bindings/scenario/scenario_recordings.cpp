@@ -47,7 +47,7 @@ int ScenarioRun::Methods::recorded(ScenarioRun& run, lua_State* lua) {
     LiveOptions systems = run.world_options();
     run.result_.reads.push_back(find_recording(run.file_, calling_place(lua), name).string());
     if (run.settings_.recordings == nullptr || systems.build.real_time)
-        return raise(run, "recordings can be looked at only in simulation");
+        return raise(run, "recordings can be used only in simulation");
     const fs::path file = find_recording(run.file_, calling_place(lua), name);
     auto world = run.settings_.recordings->open(file, map, std::move(systems));
     if (!world) {

@@ -72,8 +72,9 @@ Expected<void> ScenarioRun::open() {
         if (port == nullptr) return std::nullopt;
         auto path = fmt::format("{}.{}", port->component(), port->port());
         if (described_.empty() || port->live() != described_.back().live)
-            return failure(
-                fmt::format("{} is of another world than the one that was loaded last, which words add to", path));
+            return failure(fmt::format(
+                "{} belongs to another world: functions like s:behavior add only to the world that was loaded last",
+                path));
         return std::optional(std::move(path));
     };
     objects_->on_read([this](const PortAt& port) {

@@ -115,12 +115,12 @@ Expected<void> EditedFiles::check_name(std::string_view name) {
     if (name.empty() || name.size() > longest_name) return failure("a file needs a name of at most 400 bytes");
     const auto is_control = [](unsigned char each) { return each < 0x20 || each == 0x7f || each == '\\'; };
     if (!is_utf8(name) || std::any_of(name.begin(), name.end(), is_control))
-        return refuse("is no file name: it contains a control character or a \\");
+        return refuse("is not a file name: it contains a control character or a \\");
     for (std::string_view rest = name;;) {
         const auto slash = rest.find('/');
         const std::string_view part = rest.substr(0, slash);
         if (part.empty() || part.front() == '.')
-            return refuse("is not within the project: a name has no empty part, and none that begins with a dot");
+            return refuse("is not a file name in the project: no part may be empty or begin with a dot");
         if (part.size() > 200) return refuse("has a part of more than 200 bytes");
         if (slash == std::string_view::npos) break;
         rest.remove_prefix(slash + 1);

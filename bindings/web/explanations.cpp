@@ -48,7 +48,7 @@ bool Explanations::serve(Clock::time_point until) {
 
 bool Explanations::is_answered(Asked& asked, Clock::time_point until, bool& computes) {
     if (asked.generation != live_.generation()) {
-        tell(asked, failure(asked.component + " began again"));
+        tell(asked, failure(asked.component + " was replaced by a restart or a seek"));
         return true;
     }
     if (asked.is_over) return is_computed(asked, until, computes);

@@ -66,7 +66,7 @@ public:
     std::string text(const char* name) {
         const Json* value = find(name);
         if (value != nullptr && value->is_string()) return value->get<std::string>();
-        wrong(name, "a text");
+        wrong(name, "a string");
         return "";
     }
     bool flag(const char* name) {
@@ -89,7 +89,7 @@ public:
         const bool good = value->is_array() && value->size() <= most_watched &&
                           std::all_of(value->begin(), value->end(), [](const Json& each) { return each.is_string(); });
         if (!good) {
-            wrong(name, fmt::format("a list of at most {} texts", most_watched));
+            wrong(name, fmt::format("a list of at most {} strings", most_watched));
             return texts;
         }
         for (const Json& each : *value) texts.push_back(each.get<std::string>());
@@ -277,7 +277,7 @@ PeerMessage read_peer(Fields& fields, const Json& json, const PartReader& parts)
                                    : text == &message.request.name || (what == "use" && text == &message.request.set);
         if (!is_needed) continue;
         *text = fields.text(name);
-        if (text->empty()) fields.wrong(name, "a text");
+        if (text->empty()) fields.wrong(name, "a string");
     }
     if (what == "configure") {
         const auto set = act_from_json("SetParameter",
@@ -294,7 +294,7 @@ PeerMessage read_peer(Fields& fields, const Json& json, const PartReader& parts)
         const bool is_plain = single.is_integer() || single.is_floating() || single.kind == Type::Kind::boolean ||
                               single.kind == Type::Kind::text;
         if (!is_plain) {
-            fields.wrong("value", "a number, a text, a boolean, or a list of one kind of them");
+            fields.wrong("value", "a number, a string, a boolean, or a list of one of these types");
             return {};
         }
         message.request.values.emplace(given.parameter, given.value);

@@ -101,7 +101,7 @@ bool is_kept_run(std::string_view folder) {
 
 Expected<void> check_file(const std::string& file) {
     if (auto ok = EditedFiles::check_name(file); !ok) return ok;
-    if (file.front() == '-') return failure("'" + shown(file) + "' would be an option");
+    if (file.front() == '-') return failure("'" + shown(file) + "' begins with '-': rename it");
     return {};
 }
 
@@ -272,9 +272,9 @@ void ScenarioRuns::judge(ClientId client, std::int64_t id, const std::string& re
     };
     // Only what was found: no name leads out of the project.
     if (!is_in(recordings(), recording))
-        return answer(client, id, false, "'" + shown(recording) + "' is no recording of this project");
+        return answer(client, id, false, "'" + shown(recording) + "' is not a recording of this project");
     if (!behavior.ends_with(".lua") || !is_in(EditedFiles(project_).names(), behavior))
-        return answer(client, id, false, "'" + shown(behavior) + "' is no behaviour of this project");
+        return answer(client, id, false, "'" + shown(behavior) + "' is not a behaviour of this project");
     const std::filesystem::path plot = project_ / kept_runs / ".judged.svg";
     std::error_code ignored;
     std::filesystem::create_directories(plot.parent_path(), ignored);

@@ -11,7 +11,7 @@ Expected<YAML::Node> read_yaml(std::string_view text, const std::string& file) {
     try {
         return YAML::Load(std::string(text));
     } catch (const YAML::Exception& thrown) {
-        return failure(fmt::format("is no YAML: {}", shown(thrown.msg)),
+        return failure(fmt::format("is not YAML: {}", shown(thrown.msg)),
                        {file, thrown.mark.is_null() ? 0 : thrown.mark.line + 1});
     }
 }

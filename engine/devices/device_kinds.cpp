@@ -73,7 +73,7 @@ ParameterSpec frames() {
 
 std::string check_spi(const Parameters& parameters) {
     for (const std::string& frame : value_of<std::vector<std::string>>(parameters, "frames")) {
-        if (frame.empty()) return "frames: expected the bytes that are sent, got an empty text";
+        if (frame.empty()) return "frames: expected the bytes that are sent, got an empty string";
         if (frame.size() > 256) return fmt::format("frames: expected at most 256 bytes, got {}", frame.size());
     }
     return "";

@@ -150,7 +150,7 @@ Expected<Parameters> device_parameters(const ComponentEntry& entry) {
     const auto& safe = parameters.find("safe")->value.get<std::string>();
     if (safe.size() > 255) return refuse(fmt::format("safe has {} bytes: expected at most 255", safe.size()));
     if (parameters.find("measures_only")->value.get<bool>() && !safe.empty())
-        return refuse("a device that only measures has no safe bytes: give one of both");
+        return refuse("a device that only measures needs no safe bytes: give either safe or measures_only");
     return parameters;
 }
 

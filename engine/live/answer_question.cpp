@@ -159,7 +159,8 @@ Expected<PlainData> answer_question(const AskedSystem& asked, const Question& qu
     if (is_remote(question.component)) return failure("expected a component of this host");
     if (const auto component = system.component(question.component); !component) return Unexpected(component.error());
     if (auto answer = seen(asked, question)) return std::move(*answer);
-    if (!writable) return failure("others may only look: a secret or open = true in the word network lets them write");
+    if (!writable)
+        return failure("other hosts can only read: write secret or open = true in network { ... } to let them write");
     const auto wanted = act_of(question);
     if (!wanted) return Unexpected(wanted.error());
     auto done = asked.act(*wanted, who);

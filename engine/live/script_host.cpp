@@ -9,7 +9,7 @@
 namespace nezumi {
 namespace {
 
-Unexpected none() { return failure("there are no scripts here: this program has components in C++ alone"); }
+Unexpected none() { return failure("there are no scripts here: this program has only components in C++"); }
 
 class NoReloads final : public Reloads {
 public:

@@ -39,7 +39,7 @@ Expected<void> add_twins(SystemSpec& spec) {
         entries.emplace_back(std::move(twin));
     }
     if (entries.size() == spec.entries.size())
-        return failure(fmt::format("{} has no real robot to simulate beside", spec.file));
+        return failure(fmt::format("{} has no real robot that could have a twin", spec.file));
     spec.entries = std::move(entries);
     return {};
 }

@@ -203,8 +203,10 @@ private:
         const std::string name = take_name();
         if (take(";")) return;  // only says that it will come
         if (is(":"))
-            return fail(fmt::format(
-                "struct '{}' builds on another one, which nezumi does not read: write its fields out", shown(name)));
+            return fail(
+                fmt::format("struct '{}' inherits from another struct, which nezumi does not support: write the "
+                            "other's fields here",
+                            shown(name)));
         MessageDefinition message{.name = in_module(name), .doc = std::move(doc), .place = {source_->shown, line}};
         message.rtm = "IDL:" + message.name + ":1.0";
         expect("{");

@@ -121,7 +121,7 @@ IdlToken IdlLexer::next() {
         at_ = std::min(at_, text_.size());
         if (at_ == text_.size() || text_[at_] != c) {
             token.kind = IdlToken::Kind::wrong;
-            token.text = "the end of a text";
+            token.text = "the end of a string";
             return token;
         }
         ++at_;

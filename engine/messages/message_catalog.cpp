@@ -71,7 +71,7 @@ std::string set_default(const ValuePlace& place, const Value& value) {
         return "";
     }
     if (type.kind == Type::Kind::text)
-        return text != nullptr ? (place.as<std::string>() = *text, "") : refuse("a text");
+        return text != nullptr ? (place.as<std::string>() = *text, "") : refuse("a string");
     if (type.kind == Type::Kind::boolean) {
         const auto* truth = value.get_if<bool>();
         return truth != nullptr ? (place.as<bool>() = *truth, "") : refuse("true or false");

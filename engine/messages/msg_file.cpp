@@ -104,7 +104,7 @@ private:
         FieldDefinition field{.doc = std::move(doc), .numbers = Numbers::any, .place = {source_.shown, line_}};
         if (auto ok = read_kind(text, field); !ok) return ok;
         if (text.empty() || trimmed(text.substr(0, 1)).size() == 1)
-            return wrong(fmt::format("expected a field's name behind its type '{}'", shown(field.kind)));
+            return wrong(fmt::format("expected a field's name after its type '{}'", shown(field.kind)));
         text = trimmed(text);
         const std::string_view given = text;
         field.name = take_word(text);
@@ -139,7 +139,7 @@ private:
     Expected<void> read_kind(std::string_view& text, FieldDefinition& field) {
         const std::string name(take_word(text, "_/"));
         if (name.empty()) return wrong(fmt::format("expected a type, got '{}'", shown(text)));
-        if (name == "wstring") return wrong("nezumi has no wstring: take a string, which holds UTF-8");
+        if (name == "wstring") return wrong("nezumi has no wstring: use a string, which holds UTF-8");
         const std::string_view known = kind_of_ros(name);
         field.kind = known.empty() ? full_name(name) : std::string(known);
         if (name == "string" && take(text, "<=")) {

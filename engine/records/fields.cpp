@@ -131,7 +131,7 @@ bool Fields::text(std::string_view name, std::string& out) {
         out = *text;
         return true;
     }
-    check_.wrong(path_of(name), fmt::format("expected a text, got {}", kind_of(*value)));
+    check_.wrong(path_of(name), fmt::format("expected a string, got {}", kind_of(*value)));
     return false;
 }
 

@@ -35,7 +35,7 @@ Expected<Value> to_array(const FileTable& table) {
     std::vector<double> numbers;
     for (const Value& element : table.elements) {
         const auto number = number_of(element);
-        if (!number) return failure("expected an array of numbers, of booleans or of texts");
+        if (!number) return failure("expected an array of numbers, of booleans or of strings");
         if (!std::isfinite(*number)) return failure(fmt::format("expected finite numbers, got {}", *number));
         numbers.push_back(*number);
     }
@@ -80,7 +80,7 @@ Expected<Value> to_parameter(const Value& value) {
     if (const auto* number = value.get_if<double>(); number != nullptr && !std::isfinite(*number))
         return failure(fmt::format("expected a finite number, got {}", *number));
     if (value.type().is_single() && !value.is_nothing()) return value;
-    return failure(fmt::format("expected a number, a boolean, a text or an array of them, got {}", kind_of(value)));
+    return failure(fmt::format("expected a number, a boolean, a string or an array of them, got {}", kind_of(value)));
 }
 
 }  // namespace nezumi

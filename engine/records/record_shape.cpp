@@ -79,7 +79,8 @@ std::string words_of(const Type& type, const Rule& rule) {
     switch (type.kind) {
         case Type::Kind::boolean: return rule.words[0].empty() ? "true or false" : list_of(rule.words, true, " or ");
         case Type::Kind::float64: return words_for(rule);
-        case Type::Kind::text: return rule.choices.empty() ? "a text" : "one of " + list_of(rule.choices, false, ", ");
+        case Type::Kind::text:
+            return rule.choices.empty() ? "a string" : "one of " + list_of(rule.choices, false, ", ");
         case Type::Kind::enumeration: return "one of " + list_of(type.choices, false, ", ");
         case Type::Kind::map: return type.element->kind == Type::Kind::any ? "{ NAME = VALUE }" : "{ NAME = { ... } }";
         case Type::Kind::structure: return usage_of(type);

@@ -20,7 +20,7 @@ Expected<void> Robot::add_neighbours(const PortSpec& port, const std::vector<std
     const std::string& name = spec_.sensors[sensors.front()].name;
     if (port.type != "NeighbourSeq")
         return failure(fmt::format("'{}' sees neighbours: its type is NeighbourSeq, not {}", name, port.type));
-    if (sensors.size() > 1) return failure(fmt::format("'{}' has a port of its own", name));
+    if (sensors.size() > 1) return failure(fmt::format("'{}' needs its own port", name));
     if (port.quantity != PortSpec::Quantity::value) return failure(fmt::format("'{}' has no `quantity`", name));
     auto& made = add_out_port<std::vector<Neighbour>>(port.name, port.doc);
     made.set_rate(port.rate);

@@ -227,7 +227,7 @@ Expected<void> Robot::add_output(const PortSpec& port) {
         if (!lack.empty()) return failure(fmt::format("'{}' {}", sensor.name, lack));
         if (values_of(sensor) == 0) continue;
         if (sensors.size() > 1)
-            return failure(fmt::format("'{}' has several values: it has a port of its own", sensor.name));
+            return failure(fmt::format("'{}' has several values: it needs its own port", sensor.name));
         if (carrier.is_single || carrier.is_text)
             return failure(fmt::format("'{}' has several values, and a {} carries one", sensor.name, port.type));
     }

@@ -86,7 +86,8 @@ Expected<WheelFit> fit_wheels(const std::vector<MeasuredDrive>& drives, const Wh
         scales += change;
         if (!((scales - Scales::Ones()).cwiseAbs().maxCoeff() < largest_change))
             return failure(
-                "the wheels would be a quarter off: was an end measured wrongly (x ahead, y to the left, in metres)?");
+                "the result differs from the model by more than a quarter: was an end pose measured wrongly (x ahead, "
+                "y to the left, in metres)?");
         now = residuals(drives, believed, scales);
         if (change.cwiseAbs().maxCoeff() < 1e-9) break;
     }
@@ -96,7 +97,7 @@ Expected<WheelFit> fit_wheels(const std::vector<MeasuredDrive>& drives, const Wh
     for (const MeasuredDrive& drive : drives) longest = std::max(longest, length_of(drive));
     if (fit.after > longest_residual * longest)
         return failure(
-            fmt::format("the ends do not fit each other by {:.3f} m: was one measured wrongly (x ahead, y to the "
+            fmt::format("the measured end poses disagree by {:.3f} m: was one measured wrongly (x ahead, y to the "
                         "left, in metres), or did the robot slip?",
                         fit.after));
     return fit;

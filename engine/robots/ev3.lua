@@ -73,7 +73,7 @@ return robot_model {
     velocity2D = { type = "TimedVelocity2D", to = "drive", doc = "target velocity; until the first one the wheels roll freely" },
     angle      = { type = "TimedDouble", to = "medium_motor", doc = "angle of the medium motor, which turns the ultrasonic sensor [rad]" },
     lcd        = { type = "CameraImage", to = "screen", doc = "picture for the screen" },
-    sound      = { type = "TimedString", to = "speaker", queue = 16, doc = "beep, tone,HZ,MS or a text to speak" },
+    sound      = { type = "TimedString", to = "speaker", queue = 16, doc = "beep, tone,HZ,MS or text to speak" },
     leds       = { type = "TimedBooleanSeq", to = "leds", doc = "the brick's lights: left red, left green, right red, right green" },
     pos_update = { type = "TimedPose2D", to = "odometry", doc = "sets the odometry's pose" },
 

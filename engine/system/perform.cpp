@@ -26,7 +26,7 @@ Expected<Port*> port_here(System& system, const std::string& path) {
     auto port = system.port(path);
     if (!port || (*port)->direction() == Direction::out || !is_remote(path)) return port;
     return failure(
-        fmt::format("{} takes its messages on host '{}': do it there, or to the out-port here that it is "
+        fmt::format("{} gets its messages on host '{}': do this there, or with the out-port here that it is "
                     "connected to",
                     path, host_of(path)));
 }
@@ -64,7 +64,7 @@ Expected<ActResult> send(System& system, const Message& act) {
 Expected<void> check_holder(const System& system, const std::string& path, const Actor& who) {
     const Actor* holder = system.holder(path);
     if (holder == nullptr || *holder == who) return {};
-    return failure(fmt::format("{} is held by another ({}): hold(port, value, {{ take = true }}) takes it", path,
+    return failure(fmt::format("{} is held by another user ({}): hold(port, value, {{ take = true }}) takes it", path,
                                to_text(*holder)));
 }
 
@@ -122,7 +122,7 @@ void tell_robots_elsewhere(const System& system) {
 
 Expected<SeenRobot> seen_robot(const System& system, const Component& component) {
     const auto* robot = dynamic_cast<const Robot*>(&component);
-    if (robot == nullptr) return failure(fmt::format("{} is no robot", component.name()));
+    if (robot == nullptr) return failure(fmt::format("{} is not a robot", component.name()));
     const std::string& name = robot->name();
     if (!robot->has_body()) return failure(fmt::format("{} has no body yet", name));
     if (robot->is_real() && system.rig() != nullptr) {

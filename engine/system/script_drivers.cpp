@@ -85,7 +85,7 @@ private:
             const std::vector<std::string_view> known(known_.begin(), known_.end());
             std::string hint = did_you_mean(port.name(), known);
             if (hint.empty()) hint = fmt::format("; there are {}", fmt::join(known, ", "));
-            return refuse(fmt::format("'{}' is no {} of the robot or its devices{}", port.name(),
+            return refuse(fmt::format("'{}' is not an {} of the robot or its devices{}", port.name(),
                                       reads ? "input" : "output", hint));
         }
         const std::string own = fmt::format("{}.{}", behavior_, port.name());

@@ -163,7 +163,7 @@ Expected<Component*> System::component_named(std::string_view name) const {
 Expected<std::pair<Component*, std::string>> System::split(std::string_view port_path) const {
     const auto dot = port_path.find('.');
     if (dot == std::string_view::npos || dot == 0 || dot + 1 == port_path.size()) {
-        return failure(fmt::format("'{}' names no port: expected \"name.port\"", shown(port_path)));
+        return failure(fmt::format("'{}' is not a port: expected \"name.port\"", shown(port_path)));
     }
     const auto owner = component_named(port_path.substr(0, dot));
     if (!owner) return failure(fmt::format("'{}': {}", shown(port_path), owner.error().message));
@@ -189,7 +189,7 @@ Expected<void> System::reach(std::string_view from, std::string_view to) {
     if (!other) return Unexpected(other.error());
     if (network_ != nullptr) return network_->reach(remote, **other);
     return failure(
-        fmt::format("{} is on another host: that needs the word network in the system's file", shown(remote)));
+        fmt::format("{} is on another host: add network {{ name = ... }} to the system file", shown(remote)));
 }
 
 Expected<Connection> System::wire(std::string_view from, std::string_view to, std::optional<std::uint64_t> number) {
@@ -290,7 +290,7 @@ void System::emergency_stop() {
 }
 
 Expected<void> System::rearm() {
-    if (!stopped_) return failure("nothing is stopped: rearm() follows stop()");
+    if (!stopped_) return failure("there is no emergency stop: rearm() works only after stop()");
     for (const Robot* robot : robots_) {
         if (robot->is_twin() || robot->stands()) continue;
         return failure(fmt::format("{} still moves, at {:.3f} m/s and {:.3f} rad/s: rearm() needs standstill",

@@ -106,7 +106,7 @@ struct Describe<PhysicsFields> {
         Setting{"step",
                 &PhysicsFields::step,
                 "s",
-                "of time that the physics advances at once; a tick is a whole number of them",
+                "duration of a physics step; a tick is a whole number of them",
                 {.required = true, .range = NumberRange::positive, .least = 1 / fastest_rate}},
     };
 };

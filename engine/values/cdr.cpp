@@ -278,9 +278,9 @@ void CdrReader::read_text(std::string& text) {
     if (bytes == nullptr) return;
     if (length == 0)
         return fail(at_ - sizeof(std::uint32_t),
-                    "expected a text's length of 1 or more (it counts the final 0), got 0");
+                    "expected a string length of 1 or more (it includes the final 0), got 0");
     if (bytes[length - 1] != 0)
-        return fail(at_ - 1, fmt::format("expected a text's final 0, got {}", bytes[length - 1]));
+        return fail(at_ - 1, fmt::format("expected the final 0 of a string, got {}", bytes[length - 1]));
     text.assign(reinterpret_cast<const char*>(bytes), length - 1);
 }
 

@@ -50,7 +50,7 @@ Expected<Format> format_of(const CameraImage& image) {
         return format;
     }
     if (image.format.empty())
-        return failure(fmt::format("an image without a format must have a bpp of 8 or 24, got {}", image.bpp));
+        return failure(fmt::format("a picture without a format must have a bpp of 8 or 24, got {}", image.bpp));
     names.insert(names.end(), std::begin(compressed), std::end(compressed));
     return failure(fmt::format("unknown format '{}': expected {}{}", shown(image.format), fmt::join(names, ", "),
                                did_you_mean(image.format, names)));

@@ -90,7 +90,7 @@ Expected<IntrinsicsFit> fit_intrinsics(const std::vector<Corners>& views, const 
             "30 degrees or more");
     if (!(error < most_error * width))
         return failure(
-            fmt::format("the corners are {:.2f} px off where a lens could have them: is the board flat, has it {} x {} "
+            fmt::format("the corners are {:.2f} px away from every possible lens: is the board flat, has it {} x {} "
                         "inner corners, and was it held still?",
                         error, board.columns, board.rows));
     const auto coefficient = [&](int index) { return distortion.at<double>(index); };

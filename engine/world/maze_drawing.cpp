@@ -71,8 +71,8 @@ public:
                                       ? is_post(drawn.front())
                                       : (line % 2 == 0 ? is_across(drawn) : drawn == "|");
                 if (!is_blank && !fits) {
-                    return wrong(number, fmt::format("expected {} from sign {} on, got \"{}\"", expected(column, line),
-                                                     first + 1, drawn));
+                    return wrong(number, fmt::format("expected {} from character {} on, got \"{}\"",
+                                                     expected(column, line), first + 1, drawn));
                 }
                 if (column % 2 == 1 && line % 2 == 1) {
                     mark(maze, drawn, {column / 2, maze.rows() - 1 - line / 2});

@@ -88,7 +88,7 @@ Expected<Maze> read_bytes(std::string_view content, const std::string& file) {
     const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(content.size()))));
     if (static_cast<std::size_t>(side * side) != content.size() || side > most_maze_cells) {
         return failure(fmt::format("expected a drawing of a maze, or a byte for each cell, as in a .maz file of 256 "
-                                   "bytes, got {} bytes that are no text",
+                                   "bytes, got {} bytes that are not text",
                                    content.size()),
                        {file, 0});
     }

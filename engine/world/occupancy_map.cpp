@@ -150,7 +150,7 @@ Expected<OccupancyFacts> read_occupancy_facts(std::string_view text, const std::
 Expected<OccupancyMap> read_occupancy(const OccupancyFacts& facts, std::string_view picture, const std::string& file,
                                       double height, const Place& place) {
     const auto decoded = decode_picture(picture);
-    if (!decoded) return failure(fmt::format("is no map: {}", decoded.error().message), {file});
+    if (!decoded) return failure(fmt::format("is not a map: {}", decoded.error().message), {file});
     OccupancyMap map;
     map.columns = decoded->width;
     map.rows = decoded->height;

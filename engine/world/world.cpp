@@ -21,7 +21,7 @@ Expected<void> World::move_marker(std::string_view name, const Pose3D& /*pose*/)
     return failure(fmt::format("there is no marker '{}' that could be moved here", shown(name)));
 }
 
-Expected<void> World::add_marker(const MarkerSpec& /*marker*/) { return failure("markers can't be hung up here"); }
+Expected<void> World::add_marker(const MarkerSpec& /*marker*/) { return failure("markers can't be added here"); }
 
 Expected<void> World::remove_marker(std::string_view name) {
     return failure(fmt::format("there is no marker '{}' that could be removed here", shown(name)));

@@ -85,7 +85,7 @@ Expected<void> GuidedRobot::drive(const Velocity2D& velocity, double seconds, co
     while (system_->now().seconds < end && !robot_->stands()) step({});
     if (!should_end()) return {};
     rest();
-    return failure("interrupted: the robot stands");
+    return failure("interrupted: the robot has stopped");
 }
 
 }  // namespace nezumi::hw

@@ -172,7 +172,7 @@ private:
         const std::string_view rest = words_.rest();
         if (call_.error = error_number(rest); call_.error != 0) return call_;
         constexpr std::string_view expected[] = {"ok or an error as EIO", "how many bytes it took, or an error as EIO",
-                                                 "a text in quotes, or an error such as EIO"};
+                                                 "a string in quotes, or an error such as EIO"};
         switch (call_.kind) {
             case Kind::open_read:
             case Kind::open_write: return rest == "ok" ? call_ : wrong(expected[0], rest);

@@ -20,7 +20,7 @@ namespace {
 using Numbers = std::vector<std::int64_t>;
 
 const NodeKind gpio_chip{.subsystem = "gpio",
-                         .what = "GPIO chip",
+                         .what = "a GPIO chip",
                          .example = "/dev/gpiochip0",
                          .when_missing = "is there such a chip? ls /dev/gpiochip*",
                          .group = "gpio"};

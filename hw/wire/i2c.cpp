@@ -16,7 +16,7 @@ namespace nezumi::hw {
 namespace {
 
 const NodeKind i2c_bus{.subsystem = "i2c-dev",
-                       .what = "I2C bus",
+                       .what = "an I2C bus",
                        .example = "/dev/i2c-1",
                        .when_missing = "is I2C on? On a Raspberry Pi: sudo raspi-config nonint do_i2c 0",
                        .group = "i2c",

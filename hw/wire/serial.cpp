@@ -51,7 +51,7 @@ private:
 };
 
 const NodeKind serial_line{.subsystem = "",  // pseudo-terminals have none: isatty tells
-                           .what = "serial line",
+                           .what = "a serial line",
                            .example = "/dev/ttyACM0",
                            .when_missing = "is the device plugged in?",
                            .group = "dialout"};

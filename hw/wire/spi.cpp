@@ -14,7 +14,7 @@ namespace nezumi::hw {
 namespace {
 
 const NodeKind spi_device{.subsystem = "spidev",
-                          .what = "SPI device",
+                          .what = "an SPI device",
                           .example = "/dev/spidev0.0",
                           .when_missing = "is SPI on? On a Raspberry Pi: sudo raspi-config nonint do_spi 0",
                           .group = "spi",

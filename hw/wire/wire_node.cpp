@@ -56,7 +56,7 @@ std::string with_wire_advice(const std::string& path, int error, const NodeKind&
 }
 
 std::string not_of_kind(const std::string& path, const NodeKind& kind) {
-    return fmt::format("{}: it is no {}: expected a device such as {}", path, kind.what, kind.example);
+    return fmt::format("{}: it is not {}: expected a device such as {}", path, kind.what, kind.example);
 }
 
 OrWhy<WireNode> open_node(const std::string& path, const DeviceRoots& roots, const NodeKind& kind) {

@@ -263,11 +263,11 @@
 ---@class (exact) TimedDouble.OutOptions
 ---@field safe? number written when the component stops
 
----An in-port of TimedString: one text.
+---An in-port of TimedString: one string.
 ---@class TimedString.In : InPort
 ---@field read fun(self: TimedString.In): string
 
----An out-port of TimedString: one text.
+---An out-port of TimedString: one string.
 ---@class TimedString.Out : OutPort
 ---@field write fun(self: TimedString.Out, value: string)
 
@@ -347,11 +347,11 @@
 ---@class (exact) TimedDoubleSeq.OutOptions
 ---@field safe? number[] written when the component stops
 
----An in-port of TimedStringSeq: a sequence of texts.
+---An in-port of TimedStringSeq: a sequence of strings.
 ---@class TimedStringSeq.In : InPort
 ---@field read fun(self: TimedStringSeq.In): string[]
 
----An out-port of TimedStringSeq: a sequence of texts.
+---An out-port of TimedStringSeq: a sequence of strings.
 ---@class TimedStringSeq.Out : OutPort
 ---@field write fun(self: TimedStringSeq.Out, value: string[])
 
@@ -667,7 +667,7 @@ function output(name, type, doc, options) end
 ---@field calibration? string a Camera's: the file that ROS's camera_calibration wrote, for example "ost.yaml"
 
 ---@class (exact) PhysicsFields
----@field step number [s] of time that the physics advances at once; a tick is a whole number of them
+---@field step number [s] duration of a physics step; a tick is a whole number of them
 
 ---@class (exact) NetworkFields
 ---@field name string what other hosts call this one
@@ -829,7 +829,7 @@ function output(name, type, doc, options) end
 ---@field timeout? number [s] simulated time after which the scenario fails
 ---@field sweep? table<string, any[]|Range> one run for each combination, `{ speed = { 0.1, 0.2 }, ... }`, the keys in sorted order. `range(lo, hi)` instead of a list draws numbers at random, `range(lo, hi, step)` draws from lo, lo + step, ...: all of them if there are at most `samples`, else without repetition
 ---@field samples? integer number of random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, and to earlier values in their list
----@field seeds? integer how many runs are made of each combination, each with its own seed
+---@field seeds? integer number of runs of each combination, each with its own seed
 ---@field seed? integer the seed of every run, as `nezumi run --seed` takes it
 ---@field search? integer number of runs that are chosen one after the other, from the sweep and from `s:any`, where margins are small and lines run for the first time. The search ends with the round of a failure, which is simplified
 ---@field paired? string a list of the sweep: runs that differ only in its value have the same seed, and the summary shows the differences of their measures
@@ -935,7 +935,7 @@ function cancel(name) end
 ---@return number
 function wait(seconds) end
 
----Waits until `condition()` is true, in a task only: looks at once and then once an execution. Returns false when it was
+---Waits until `condition()` is true, in a task only: looks immediately, then in each execution. Returns false when it was
 ---not within the time that is given.
 ---@param condition fun(): any
 ---@param options? WaitOptions

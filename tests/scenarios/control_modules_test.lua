@@ -259,7 +259,7 @@ end)
 
 scenario("a state machine says which states there are", function(s)
   equal(s, said(function() state_machine { initial = "a", states = { b = {} } } end),
-    "state_machine: initial is 'a', which is no state: there are b")
+    "state_machine: initial is 'a', which is not a state: there are b")
   equal(s, said(function() state_machine { first = "a" } end), "state_machine has no 'first': it has initial, states")
   equal(s, said(function() state_machine { initial = "a" } end), "state_machine: states expected a table, got nothing")
   equal(s, said(function() state_machine { initial = 1, states = { {} } } end),
@@ -271,7 +271,7 @@ scenario("a state machine says which states there are", function(s)
   equal(s, said(function() state_machine { initial = "a", states = { a = { enter = 1 } } } end),
     "state_machine: enter of 'a' expected a function, got 1")
   local machine = state_machine { initial = "a", states = { a = function() return "c" end, b = {} } }
-  equal(s, said(function() machine:update(0) end), "state_machine: 'a' went to 'c', which is no state: there are a, b")
+  equal(s, said(function() machine:update(0) end), "state_machine: 'a' went to 'c', which is not a state: there are a, b")
   equal(s, said(function() machine:go("d", 0) end), "state_machine: there is no state 'd': there are a, b")
   equal(s, said(function() machine:update() end), "state_machine: now expected a finite number, got nothing")
   equal(s, said(function() machine:go "a" end), "state_machine: now expected a finite number, got nothing")

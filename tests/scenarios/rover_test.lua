@@ -18,7 +18,7 @@ scenario("a driver is not reloaded while its rover moves", { timeout = 10 }, fun
   world.pilot:go(2, 0, 0)
   s:wait_until("under way", { within = 5 }, function() return world.rover.truth.velocity.vx > 0.1 end)
   local ok, message = s:reload("rover_driver", { file = "rover_driver" })
-  s:check(not ok and message:find("rover_driver drives 'rover', which moves: reload it while the robot stands", 1, true), message)
+  s:check(not ok and message:find("rover_driver drives 'rover', which moves: reload it when the robot stands still", 1, true), message)
   world.pilot:deactivate()
   s:eventually("stands", { within = 2 }, function() return math.abs(world.rover.truth.velocity.vx) < 0.001 end)
   s:run(0.2)

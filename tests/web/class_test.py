@@ -325,7 +325,7 @@ class Lessons(ClassCase):
         written = os.path.join(room.work(), "nezumi-test", "kept", "trace.csv")
         with open(written, "w") as out:
             out.write("x" * (3 << 20))
-        why = "it had written 3.0 MB in 1 files, and 1.0 MB in 2000 files are allowed; 1 that are no texts were removed"
+        why = "it had written 3.0 MB in 1 files, and 1.0 MB in 2000 files are allowed; files removed because they are not text: 1"
         self.page.until("document.querySelector('.class-bar .broken')?.textContent.includes(%r)" % why, "the pupil is told", 30)
         self.until_tile(teacher, "Taro", "tile.className.includes('broken') && tile.textContent.includes(%r)" % why, "the teacher sees it")
         self.assertFalse(os.path.exists(written))
@@ -377,7 +377,7 @@ class Lessons(ClassCase):
         look = self.tile(teacher, "Taro", "[...tile.querySelectorAll('a')].find((each) => each.textContent === 'Look').href")
         aid = self.tile(teacher, "Taro", "[...tile.querySelectorAll('a')].find((each) => each.textContent === 'Help').href")
         other = self.second()
-        for address, views, told in ((link, True, "This is on the projector"), (look, True, "The teacher looks on"), (aid, False, "The teacher helps here")):
+        for address, views, told in ((link, True, "This is on the projector"), (look, True, "The teacher is watching"), (aid, False, "The teacher helps here")):
             other.driver.get("about:blank")
             other.open(address)
             other.until("document.querySelector('.class-bar b')?.textContent", "the bar is there")
@@ -423,7 +423,7 @@ class Attacks(ClassCase):
 
     def test_a_visitor_and_a_pupil_cannot_do_what_the_teacher_does(self):
         token = self.joins("Taro")
-        for who, text in (("join", "a name is needed"), (token, "this link can't do that")):
+        for who, text in (("join", "enter a name"), (token, "this page has no permission for that: open your own link of the class")):
             for what in ("stop", "freeze", "collect", "hint", "mark", "renew", "project", "door"):
                 _, answers = self.ask(who, {"do": "class", "what": what, "pupil": 1, "text": "x", "id": 1})
                 self.assertEqual((answers[0]["ok"], answers[0]["text"]), (False, text), what)
@@ -447,7 +447,7 @@ class Attacks(ClassCase):
         files = ["../part2_stop_at_wall/../../../02/work/part2_stop_at_wall/behaviors/mine.lua", os.path.join(self.room.work(2), "behaviors/mine.lua"),
                  "next/behaviors/mine.lua", "../../pupil.json", "/etc/passwd"]
         _, answers = self.ask(first, *[{"do": "edit", "what": "read", "file": file, "id": i} for i, file in enumerate(files, 1)])
-        outside = "' is not within the project: a name has no empty part, and none that begins with a dot"
+        outside = "' is not a file name in the project: no part may be empty or begin with a dot"
         linked = "next/behaviors/mine.lua: 'next' is not a folder, or is a link, which is not followed"
         texts = [linked if file.startswith("next") else "'" + file + outside for file in files]
         self.assertEqual([each["text"] for each in answers], texts)

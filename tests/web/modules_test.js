@@ -62,7 +62,7 @@ same(to_message({ tm: { sec: 1, nsec: 0 }, width: 2, height: 3 }).value, { width
 const parameter = { type: "number", min: -1.5, max: 1.5 };
 same(what_is_wrong(parameter, "1.5"), "", "bounds are inclusive");
 same(what_is_wrong(parameter, "1.51") !== "", true, "above the maximum");
-same(what_is_wrong(parameter, "") !== "", true, "nothing is no number");
+same(what_is_wrong(parameter, "") !== "", true, "an empty text is not a number");
 same(what_is_wrong({ type: "integer", min: null, max: null }, "2.5") !== "", true, "a fraction is not whole");
 same(what_is_wrong({ type: "integer", min: null, max: null }, "-3"), "", "no bounds");
 

@@ -131,7 +131,7 @@ class Shared(SharedCase):
 
 class SharedAttacks(SharedCase):
     NOT_YOURS = "it is not your turn"
-    ONLY = "in the shared system you drive, set parameters and press buttons; for all else use your own system"
+    ONLY = "in the shared system you can only drive, set parameters and press buttons: use your own system for everything else"
 
     def test_only_the_driver_drives_and_may_change_nothing_else(self):
         (own, link), (_, other) = self.tokens("Taro", "Hanako")
@@ -155,7 +155,7 @@ class SharedAttacks(SharedCase):
         self.assertTrue(answers[0]["ok"], "everybody may stop it")
         for token in ("join", link, other):
             _, answers = self.ask(token, {"do": "class", "what": "shared", "go": "end", "id": 1})
-            self.assertEqual(answers[0]["text"], "a name is needed" if token == "join" else "this link can't do that")
+            self.assertEqual(answers[0]["text"], "enter a name" if token == "join" else "this page has no permission for that: open your own link of the class")
 
     def test_a_pupil_who_goes_away_gives_up_the_turn_and_the_next_one_drives(self):
         (first, _), (second, _) = self.tokens("Taro", "Hanako")

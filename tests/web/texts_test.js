@@ -43,7 +43,7 @@ for (const [name, source] of sources) {
   for (const [, key] of code.matchAll(/\bT\.([a-z_]+(?:\.[a-z_A-Z]+)*)/g)) {
     used.add(key);
     const text = key.split(".").reduce((table, each) => table?.[each], EN);
-    if (text === undefined) wrong.push(`${name} shows T.${key}, which is no text`);
+    if (text === undefined) wrong.push(`${name} shows T.${key}, which is not a text`);
   }
   for (const found of code.matchAll(LITERAL)) {
     const before = code.slice(Math.max(0, found.index - 60), found.index);

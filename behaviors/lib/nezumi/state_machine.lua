@@ -36,7 +36,7 @@ function Machine:update(now)
   local next_name = call(self, "execute", now - memory.since)
   if next_name ~= nil then
     if self.states[next_name] == nil then
-      error(("state_machine: '%s' went to '%s', which is no state: there are %s"):format(
+      error(("state_machine: '%s' went to '%s', which is not a state: there are %s"):format(
         memory.current, tostring(next_name), names_of(self.states)), 2)
     end
     call(self, "exit")
@@ -81,7 +81,7 @@ local function new(options, memory)
     states[name] = callbacks
   end
   if states[options.initial] == nil then
-    error(("state_machine: initial is '%s', which is no state: there are %s"):format(
+    error(("state_machine: initial is '%s', which is not a state: there are %s"):format(
       tostring(options.initial), names_of(states)), 2)
   end
   expect.kind("state_machine: memory", memory or {}, "table")

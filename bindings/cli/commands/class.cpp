@@ -142,7 +142,7 @@ SubCommand class_command() {
     options.push_back(
         {"--quota", &words->quota, "megabytes that the files of a pupil's exercise may have (default 20)", "MB"});
     options.push_back({"--trust", &words->trust,
-                       "run on a kernel without Landlock: pupils' programs could then read all files of yours"});
+                       "run on a kernel without Landlock: pupils' programs could then read all your files"});
     return {.name = "class",
             .help = "Serve a class: pupils work in their browsers, the teacher sees how they do",
             .options = std::move(options),

@@ -15,7 +15,7 @@ namespace {
 int write_completion(const SubCommand& program, const std::string& shell) {
     const auto& known = completed_shells();
     if (std::find(known.begin(), known.end(), shell) == known.end()) {
-        return refuse(fmt::format("completion: there is nothing for a shell '{}'{}; known are {}", shown(shell),
+        return refuse(fmt::format("completion: there is no completion for the shell '{}'{}; known are {}", shown(shell),
                                   did_you_mean(shell, known), fmt::join(known, ", ")));
     }
     fmt::print("{}", completion_script(program, shell));

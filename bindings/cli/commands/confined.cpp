@@ -65,7 +65,7 @@ SubCommand confined_command() {
     return {.name = "confined",
             .help = "Run a command of nezumi that can reach only one folder and the installed files",
             .options = {{"--bounds-only", &options->bounds_only,
-                         "only bounds for memory, files and priority: for kernels without Landlock"},
+                         "limit only memory, files and priority: for kernels without Landlock"},
                         {"--devices", &options->devices, "devices in this folder may be used as well; may be repeated",
                          "DIR"},
                         {"FOLDER", &options->folder, "the folder that it may read and write"},

@@ -113,7 +113,7 @@ int run_rtc(const RestoreOptions& given) {
     if (given.file.empty() == given.profile.empty())
         return refuse("rtc: expected a behaviour or --system PROFILE: see nezumi rtc --help");
     if (given.profile.empty() && !given.nameservers.empty())
-        return refuse("rtc: --nameserver is for --system PROFILE alone");
+        return refuse("rtc: --nameserver works only with --system PROFILE");
     return given.profile.empty() ? write_profile(given.file) : restore(given);
 }
 

@@ -21,7 +21,7 @@ SubCommand run_command() {
                 },
             .footer =
                 "Ctrl-C ends a run normally: behaviours are deactivated, robots stop, files are complete. Outputs that "
-                "accept no data are given up after 2 s, or at once after a second Ctrl-C.\n"
+                "accept no data are given up after 2 s, or immediately after a second Ctrl-C.\n"
                 "Exit status: 0 the run ended normally; 1 it ended, but a component was in ERROR, a command of --batch "
                 "failed or was cut off, or the last output was lost; 2 it could not be run, or its files could not be "
                 "written."};

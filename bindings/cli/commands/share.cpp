@@ -64,7 +64,7 @@ Expected<std::string> fitting(web::LightRun& run, const std::string& file, std::
         step = std::max(step + 1, step * text.size() / most);
     }
     return failure(
-        fmt::format("share: {} does not fit into {} KB: leave --light away", file, largest_light_page / 1000));
+        fmt::format("share: {} does not fit into {} KB: leave out --light", file, largest_light_page / 1000));
 }
 
 // Repeats the run, and notes it.

@@ -41,7 +41,7 @@ SubCommand test_command() {
               "number of parallel processes (default: the number of cores); the results do not depend on it", "N",
               whole_number(1, 1024, "1024")},
              {"--shard", &options->shard,
-              "make only part K of N of the runs, and keep their results in -o DIR; --merge puts the parts together",
+              "run only part K of N of the runs, and keep their results in -o DIR; --merge puts the parts together",
               "K/N"},
              {"--resume", &options->resume, "resume: runs with results in -o DIR from the same files are not repeated"},
              {"--merge", &options->merge,

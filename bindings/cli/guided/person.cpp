@@ -49,7 +49,8 @@ Expected<std::string> Person::line() {
         if (length == 1) text += c;
         if (length == 1 || (length < 0 && errno == EINTR && end_ == 0)) continue;
         put_text(stderr, "\n");
-        return failure(end_ != 0 ? "interrupted: the robot stands" : "there is no answer: standard input has ended");
+        return failure(end_ != 0 ? "interrupted: the robot has stopped"
+                                 : "there is no answer: standard input has ended");
     }
 }
 

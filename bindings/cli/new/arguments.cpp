@@ -77,11 +77,12 @@ Expected<std::string> default_text(const std::string& given) {
     const bool looks_like_number =
         !text.empty() && std::string_view("0123456789.+-").find(text.front()) != std::string_view::npos;
     if (looks_like_number || text == "nan" || text == "inf") {
-        return failure(fmt::format("'{}' is not a number: write 30, 0.5 or -1e-3, or a text in quotes", shown(text)));
+        return failure(fmt::format("'{}' is not a number: write 30, 0.5 or -1e-3, or a string in quotes", shown(text)));
     }
-    if (text == "nil") return failure("nil can't be a default: expected a number, true, false, a text or { 1.0, 0.5 }");
+    if (text == "nil")
+        return failure("nil can't be a default: expected a number, true, false, a string or { 1.0, 0.5 }");
     if (const std::string near = did_you_mean(text, {"true", "false"}); !near.empty()) {
-        return failure(fmt::format("'{}'{}; a text like this needs quotes", shown(text), near));
+        return failure(fmt::format("'{}'{}; a string like this needs quotes", shown(text), near));
     }
     return lua_quoted(given);
 }

@@ -139,7 +139,8 @@ private:
     std::string safe_text(const ProfilePort& port, const MessageType* type) {
         const Json json = Json::parse(port.safe, nullptr, false);
         Value value = make_payload(type);
-        if (const std::string wrong = json.is_discarded() ? "no JSON" : read_value(json, value); !wrong.empty()) {
+        if (const std::string wrong = json.is_discarded() ? "it is not JSON" : read_value(json, value);
+            !wrong.empty()) {
             remarks_.push_back(fmt::format("port '{}': its safe value: {}", shown(port.name), wrong));
             return "";
         }

@@ -50,7 +50,7 @@ public:
     }
     /// Completes the recording with the present data.
     void end_at_once() {
-        if (recorder_) recorder_->end_here("the run was ended at once");
+        if (recorder_) recorder_->end_here("the run was ended immediately");
     }
 
 private:

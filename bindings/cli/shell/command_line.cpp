@@ -94,14 +94,14 @@ std::string no_command(const SubCommand& command, const std::string& path, const
         forms.push_back(form + "`");
     }
     return (word ? fmt::format("{}: there is no '{}'{}. ", path.substr(1), shown(*word), did_you_mean(*word, names))
-                 : fmt::format("{}: which? ", path.substr(1))) +
+                 : fmt::format("{}: a command is missing. ", path.substr(1))) +
            fmt::format("Write {}{}{}", fmt::join(forms.begin(), forms.end() - 1, ", "), forms.size() > 1 ? " or " : "",
                        forms.back());
 }
 
 std::string about_extras(const CLI::App& command, const std::vector<std::string>& extras) {
     const auto option = std::find_if(extras.begin(), extras.end(), [](const auto& word) { return word[0] == '-'; });
-    if (option == extras.end()) return fmt::format("'{}' is one word too many", shown(extras.front()));
+    if (option == extras.end()) return fmt::format("'{}' is one argument too many", shown(extras.front()));
     std::vector<std::string> names;
     for (const CLI::Option* known : command.get_options()) {
         if (known->nonpositional()) names.push_back(known->get_name());

@@ -163,7 +163,7 @@ Expected<void> refuse_ways(const TestOptions& command, const GivenOptions& other
 Expected<void> check_options(const TestOptions& command) {
     if (command.watch) {
         auto ok = refuse_ways(command, {{"--mutate", !command.mutate.empty()}},
-                              "--watch runs again and again, and only what a save touches");
+                              "--watch runs only the scenarios that a saved file affects");
         if (!ok) return ok;
     }
     if (command.show) {
@@ -183,7 +183,7 @@ Expected<void> check_options(const TestOptions& command) {
     const GivenOptions parts{{"--shard", !command.shard.empty()}, {"--resume", command.resume}};
     if (command.open) {
         auto fits = refuse_given({{"--list", command.list}, {"--hw", command.hw}, {"--merge", command.merge}},
-                                 "--open shows a run that was made here");
+                                 "--open shows a run of this command");
         if (!fits) return fits;
     }
     auto ok = refuse_given({{"--quiet", command.tap && command.quiet}}, "--tap reports every run");
@@ -198,10 +198,10 @@ Expected<void> check_options(const TestOptions& command) {
                          "--mutate shows only changes that no scenario notices");
     }
     if (ok && command.hw)
-        ok = refuse_given({{"--coverage", !command.coverage.empty()}}, "--hw: only simulated time waits for marks");
-    if (ok && command.update_goldens) ok = refuse_given(parts, "--update-goldens: every run has to be made");
+        ok = refuse_given({{"--coverage", !command.coverage.empty()}}, "--hw: coverage is measured only in simulation");
+    if (ok && command.update_goldens) ok = refuse_given(parts, "--update-goldens needs the results of all runs");
     if (!ok || !command.merge) return ok;
-    ok = refuse_given(parts, "--merge reports runs that were made before");
+    ok = refuse_given(parts, "--merge only reports runs that have already finished");
     if (ok) {
         ok = refuse_given({{"--filter", !command.filter.empty()},
                            {"--list", command.list},
@@ -214,7 +214,7 @@ Expected<void> check_options(const TestOptions& command) {
                            {"-o", command.folder != TestOptions{}.folder},
                            {"--hw", command.hw},
                            {"--update-goldens", command.update_goldens}},
-                          "--merge reports runs that were made before");
+                          "--merge only reports runs that have already finished");
     }
     if (ok && command.paths.empty())
         return failure("--merge: expected the folders of the parts, as in nezumi test --merge part-*");

@@ -61,7 +61,7 @@ Expected<void> RosNode::make_port(System& system, const RosTopic& topic, bool pu
     const auto other = system.port(topic.port);
     if (!other) return refuse(other.error().message);
     if (((*other)->direction() == Direction::out) != publishes)
-        return refuse(publishes ? "an in-port can't be published" : "an out-port takes nothing from a topic");
+        return refuse(publishes ? "an in-port can't be published" : "an out-port can't receive messages from a topic");
     const MessageType* const type = (*other)->type();
     const auto mapping = ros::find_mapping(type, topic.type, !publishes);
     if (!mapping) return refuse(mapping.error().message);

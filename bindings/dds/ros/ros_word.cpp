@@ -41,16 +41,16 @@ void read_topic(FieldCheck& check, const Value& value, const FieldPath& path, co
         Fields fields(check, value, path);
         read_record(fields, topic);
         const std::string_view key = publishes ? "port" : "topic";
-        if (fields.has(key)) check.wrong(fields.path_of(key), fmt::format("is given already, by the name '{}'", name));
-        fields.require(publishes ? "topic" : "port", publishes ? "a text: the topic" : "a text: \"name.port\"");
+        if (fields.has(key)) check.wrong(fields.path_of(key), fmt::format("is already given by the name '{}'", name));
+        fields.require(publishes ? "topic" : "port", publishes ? "a string: the topic" : "a string: \"name.port\"");
         fields.done();
     } else {
-        check.wrong(path, fmt::format("expected a text or a table, got {}", kind_of(value)));
+        check.wrong(path, fmt::format("expected a string or a table, got {}", kind_of(value)));
     }
     (publishes ? topic.port : topic.topic) = name;
     if (!check.ok()) return;
     if (const std::string problem = problem_of_topic(topic.topic); !problem.empty())
-        return check.wrong(path, fmt::format("names no topic '{}': {}", topic.topic, problem));
+        return check.wrong(path, fmt::format("has an invalid topic '{}': {}", topic.topic, problem));
     out.push_back(std::move(topic));
 }
 

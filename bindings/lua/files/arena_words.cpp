@@ -21,7 +21,8 @@ BoxSpec read_box(Fields& fields) {
     read_record(fields, box);
     if (std::isnan(box.at.z)) box.at.z = box.size.z / 2;
     if (box.pitch != 0 && box.mass > 0)
-        fields.check().wrong(fields.path_of("pitch"), "is for a box without mass: a movable one stands level");
+        fields.check().wrong(fields.path_of("pitch"),
+                             "can be used only for a box without mass: a movable box stands level");
     return box;
 }
 
@@ -162,15 +163,14 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
         }
         const auto* handle = element.get_if<FileThing>();
         if (handle == nullptr || handle->index >= things_.size()) {
-            return failure(
-                fmt::format(
-                    "arena: element {} is no box, wall, cylinder, marker, maze, floor, line, csv or map, but a {}",
-                    number, kind_of(element)),
-                call.place);
+            return failure(fmt::format("arena: element {}: expected a box, wall, cylinder, marker, maze, floor, line, "
+                                       "csv or map, got a {}",
+                                       number, kind_of(element)),
+                           call.place);
         }
         Thing& thing = things_[handle->index];
         if (thing.placed) {
-            return failure(fmt::format("arena: the {} of {}:{} is in the arena already", thing.call.word,
+            return failure(fmt::format("arena: the {} at {}:{} is in the arena already", thing.call.word,
                                        thing.call.place.file, thing.call.place.line),
                            call.place);
         }
@@ -184,7 +184,7 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
         } else if (auto* marker = std::get_if<MarkerSpec>(&thing.made)) {
             for (const MarkerSpec& other : spec_.arena.markers) {
                 if (other.name != marker->name) continue;
-                return failure(fmt::format("marker: the name '{}' is taken by the marker of {}:{}", marker->name,
+                return failure(fmt::format("marker: the name '{}' is already used by the marker at {}:{}", marker->name,
                                            other.place.file, other.place.line),
                                marker->place);
             }

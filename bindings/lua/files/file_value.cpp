@@ -22,7 +22,7 @@ public:
 
     Expected<Value> read(int index, int depth) {
         if (depth > deepest) return failure("tables are nested too deeply, or a table is within itself");
-        if (++parts_ > most_parts) return failure(fmt::format("has more than {} parts", most_parts));
+        if (++parts_ > most_parts) return failure(fmt::format("has more than {} values", most_parts));
         if (lua_checkstack(lua_, 4) == 0) return failure("tables are nested too deeply");
         switch (lua_type(lua_, index)) {
             case LUA_TNONE:

@@ -19,7 +19,7 @@ std::optional<Maze> read_rows(Fields& fields, const Value& value) {
     std::vector<std::string> rows;
     const FieldPath path = fields.path_of("rows");
     if (value.get_if<FileTable>() == nullptr || !value.get_if<FileTable>()->fields.empty()) {
-        fields.check().wrong(path, fmt::format("expected a list of texts, got {}", kind_of(value)));
+        fields.check().wrong(path, fmt::format("expected a list of strings, got {}", kind_of(value)));
         return std::nullopt;
     }
     const auto in_row = [&](std::size_t number) {
@@ -30,7 +30,7 @@ std::optional<Maze> read_rows(Fields& fields, const Value& value) {
     for (const Value& element : value.get_if<FileTable>()->elements) {
         const std::string* row = element.get_if<std::string>();
         if (row == nullptr)
-            fields.check().wrong(in_row(rows.size() + 1), fmt::format("expected a text, got {}", kind_of(element)));
+            fields.check().wrong(in_row(rows.size() + 1), fmt::format("expected a string, got {}", kind_of(element)));
         rows.push_back(row != nullptr ? *row : "");
     }
     if (!fields.check().ok()) return std::nullopt;
@@ -86,9 +86,9 @@ Expected<FileThing> SystemWords::make_maze(const WordCall& call, const Value& va
     std::optional<Maze> maze;
     if ((rows != nullptr || name != nullptr) && fields.has("generate")) {
         check.wrong(fields.path_of("generate"),
-                    fmt::format("is for a maze without {}", rows != nullptr ? "'rows'" : "a file"));
+                    fmt::format("can be used only in a maze without {}", rows != nullptr ? "'rows'" : "a file"));
     } else if (rows != nullptr && name != nullptr) {
-        check.wrong(fields.path_of("rows"), "is for a maze without a file");
+        check.wrong(fields.path_of("rows"), "can be used only in a maze without a file");
     } else if (rows != nullptr) {
         maze = read_rows(fields, *rows);
     } else if (fields.has("generate")) {

@@ -173,7 +173,7 @@ private:
         } else if (const auto* choices = elements[1].get_if<FileTable>()) {
             if (const std::string problem = read_choices(*choices, field); !problem.empty()) return refuse(problem);
         } else {
-            return refuse(fmt::format("has the type {}, expected a text or a list of choices", to_lua(elements[1])));
+            return refuse(fmt::format("has the type {}, expected a string or a list of choices", to_lua(elements[1])));
         }
         fields.text("unit", field.unit);
         fields.text("doc", field.doc);
@@ -187,7 +187,7 @@ private:
         for (const Value& each : table.elements) {
             const auto* choice = each.get_if<std::string>();
             if (choice == nullptr || choice->empty())
-                return fmt::format("has the choice {}, expected a text", to_lua(each));
+                return fmt::format("has the choice {}, expected a string", to_lua(each));
             if (std::find(field.choices.begin(), field.choices.end(), *choice) != field.choices.end())
                 return fmt::format("has the choice '{}' twice", shown(*choice));
             field.choices.push_back(*choice);

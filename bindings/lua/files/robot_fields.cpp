@@ -284,7 +284,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const Value& value, const RobotFi
         if (std::find(words.begin(), words.end(), name) != words.end()) {
             check.wrong_at(
                 entry.path(),
-                fmt::format("port '{0}': the name is taken: robot.{0} is a member of every component", name));
+                fmt::format("port '{0}': the name is already used: robot.{0} is a member of every component", name));
         }
         spec.ports.push_back(read_port(name, entry));
     });

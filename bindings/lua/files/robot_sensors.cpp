@@ -81,7 +81,7 @@ void read_response(Fields& sensor, SensorSpec& spec, bool nothing_given, double 
         least = std::min(least, v);
         greatest = std::max(greatest, v);
     }
-    if (least > greatest) return check.explain(path, "returned no finite number");
+    if (least > greatest) return check.explain(path, "returned only values that are not finite numbers");
     // A formula such as 1 / d is infinite at 0: it gets the largest finite or allowed value.
     for (double& v : *values) {
         if (v == infinity) v = maximum < infinity ? maximum : greatest;

@@ -83,7 +83,7 @@ Expected<void> SystemWords::check_name(const WordCall& call, const std::string& 
     }
     if (const auto taken = names_.find(name); taken != names_.end()) {
         const Entry& other = spec_.entries[taken->second];
-        return failure(fmt::format("{}: the name is taken by the {} of {}:{}", what, kind_of(other),
+        return failure(fmt::format("{}: the name is already used by the {} at {}:{}", what, kind_of(other),
                                    place_of(other).file, place_of(other).line),
                        call.place);
     }
@@ -116,7 +116,7 @@ Expected<std::size_t> SystemWords::begin_entry(const WordCall& call, const Value
 }
 
 Expected<void> SystemWords::complete_entry(std::size_t pending, const Value& fields) {
-    if (pending >= pending_.size()) return failure("this table follows a name that belongs to an earlier world");
+    if (pending >= pending_.size()) return failure("this table belongs to a name of an earlier world");
     pending_[pending].complete = true;
     const PendingEntry call = pending_[pending];
     return entry(call.call, call.name, fields);
@@ -146,7 +146,7 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
     fields.done();
     if (entry.sets.contains(Component::no_set)) {
         check.explain({"sets", std::string(Component::no_set)},
-                      "to use \"default\" is to have no set in use: choose another name");
+                      "the name \"default\" means that no set is in use: choose another name");
     }
     if (entry.sets.contains("")) check.explain({"sets", ""}, "a set needs a name");
     if (!entry.set.empty() && !entry.sets.contains(entry.set)) {
@@ -291,8 +291,8 @@ Expected<void> SystemWords::finish(bool is_part) const {
         const auto taken = names_.find(marker.name);
         if (taken == names_.end()) continue;
         const Entry& other = spec_.entries[taken->second];
-        return failure(fmt::format("marker '{}': the name is taken by the {} of {}:{}", marker.name, kind_of(other),
-                                   place_of(other).file, place_of(other).line),
+        return failure(fmt::format("marker '{}': the name is already used by the {} at {}:{}", marker.name,
+                                   kind_of(other), place_of(other).file, place_of(other).line),
                        marker.place);
     }
     for (const PeerWord* word : words_) {

@@ -39,7 +39,8 @@ std::vector<OfferedPort> ports_of(const System& system, std::string_view path) {
 }
 
 Expected<Host> find_host(const System& system, std::string_view name) {
-    if (system.network() == nullptr) return failure("this system is on no network: its file needs the word network");
+    if (system.network() == nullptr)
+        return failure("this system is not on a network: add network { name = ... } to its file");
     const std::vector<Host> all = hosts_of(system);
     for (const Host& host : all) {
         if (host.name == name) return host;
@@ -68,7 +69,7 @@ int refuse_set_hosts(lua_State* L) {
 int host_index(lua_State* L) {
     return look(L, objects_of(L), [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
-        if (lua_type(L, 2) != LUA_TSTRING) return failure("a host's components have names");
+        if (lua_type(L, 2) != LUA_TSTRING) return failure("expected the name of a component of the host");
         const std::string_view name = text_at(L, 2);
         return Answer{ObjectName{ObjectKind::remote, ref.live(), fmt::format("{}/{}", ref.component(), name), ""}};
     });
@@ -87,7 +88,7 @@ int host_tostring(lua_State* L) {
 int hosts_index(lua_State* L) {
     return look(L, objects_of(L), [&]() -> Expected<Answer> {
         RunningSystem* live = to_object(L, 1)->live();
-        if (lua_type(L, 2) != LUA_TSTRING) return failure("hosts have names");
+        if (lua_type(L, 2) != LUA_TSTRING) return failure("expected the name of a host, as in hosts.ev3");
         const auto host = find_host(live->system(), text_at(L, 2));
         if (!host) return Unexpected(host.error());
         return Answer{ObjectName{ObjectKind::host, live, host->name, ""}};

@@ -60,9 +60,9 @@ std::string instead_of(const ObjectRef& ref, std::string_view name) {
             if (name == "pose") return fmt::format("write {}:teleport {}", ref.component(), usage_of<RobotPlace>());
             return fmt::format("write {}:disturb {}", ref.component(),
                                usage_of<VelocityConstraint>(Describe<VelocityConstraint>::at_once));
-        case ObjectKind::config: return fmt::format("write all of it, {}.{} = {{ ... }}", path, name);
+        case ObjectKind::config: return fmt::format("write the whole value: {}.{} = {{ ... }}", path, name);
         case ObjectKind::remote:
-            if (ref.port() == "config") return fmt::format("write all of it, {}.{} = {{ ... }}", path, name);
+            if (ref.port() == "config") return fmt::format("write the whole value: {}.{} = {{ ... }}", path, name);
             if (!ref.port().empty()) return "";
             break;
         default: break;

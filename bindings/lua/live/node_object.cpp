@@ -46,12 +46,13 @@ Expected<Answer> answer_of(const ObjectRef& ref, const TreeNode& node) {
 // The error about a key that is not a text.
 std::string explain_key(const ObjectRef& ref) {
     switch (ref.kind) {
-        case ObjectKind::component: return fmt::format("{} is a component: its members have names", ref.component());
+        case ObjectKind::component:
+            return fmt::format("{} is a component: expected the name of a member", ref.component());
         case ObjectKind::port: {
             const std::string path = fmt::format("{}.{}", ref.component(), ref.port());
             return fmt::format("{} is the port, not its value: its value is {}.value", path, path);
         }
-        default: return fmt::format("{}: its members have names", node_functions(ref.kind).name);
+        default: return fmt::format("{}: expected the name of a member", node_functions(ref.kind).name);
     }
 }
 
@@ -100,7 +101,7 @@ int node_newindex(lua_State* L) {
             const auto node = node_of(ref);
             if (!node) return Unexpected(node.error());
             if (is_config && !has_name) return failure(explain_key(ref));
-            const auto child = node->to_set(has_name ? text_at(L, 2) : "what you name");
+            const auto child = node->to_set(has_name ? text_at(L, 2) : "this member");
             if (!child) return Unexpected(child.error());
             if (!value) return failure(fmt::format("parameter '{}': {}", text_at(L, 2), value.error().message));
             if (auto ready = ObjectAccess::prepare_change(objects); !ready) return Unexpected(ready.error());

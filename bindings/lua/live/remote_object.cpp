@@ -107,7 +107,8 @@ int remote_index(lua_State* L) {
     Objects& objects = objects_of(L);
     return look_beside(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
-        if (lua_type(L, 2) != LUA_TSTRING) return failure(fmt::format("{}: its members have names", full_path(ref)));
+        if (lua_type(L, 2) != LUA_TSTRING)
+            return failure(fmt::format("{}: expected the name of a member", full_path(ref)));
         const std::string_view name = text_at(L, 2);
         std::optional<Answer> known;
         auto visited = ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
@@ -137,7 +138,7 @@ int remote_newindex(lua_State* L) {
         if (ref.port() != "config")
             return failure(fmt::format("members of {} can't be set; parameters can, as in X.config.NAME = value",
                                        ref.component()));
-        if (lua_type(L, 2) != LUA_TSTRING) return failure("config: its members have names");
+        if (lua_type(L, 2) != LUA_TSTRING) return failure("config: expected the name of a parameter");
         Question question = question_of(ref, What::set);
         question.name = text_at(L, 2);
         auto value = read_parameter(L, 3);

@@ -131,7 +131,7 @@ int index_matrix(lua_State* L) {
     });
 }
 
-int set_row(lua_State* L) { return luaL_error(L, "a matrix is set by its elements: m[i][j] = value"); }
+int set_row(lua_State* L) { return luaL_error(L, "set single elements of a matrix: m[i][j] = value"); }
 
 int index_row(lua_State* L) {
     const Row& row = *object_at<Row>(L, 1, &row_key);

@@ -168,7 +168,7 @@ Expected<ActResult> Reloader::commit(PreparedReload& loaded, const Project& proj
         ScriptComponent& component = *dynamic_cast<ScriptComponent*>(system_.find(prepared.next[i].name));
         if (const Robot* robot = robot_that_it_moves(system_, component)) {
             return Unexpected(
-                still_running(Error{fmt::format("{} drives '{}', which moves: reload it while the robot stands",
+                still_running(Error{fmt::format("{} drives '{}', which moves: reload it when the robot stands still",
                                                 component.name(), robot->name()),
                                     {}},
                               component.version()));

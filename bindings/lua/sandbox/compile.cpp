@@ -81,7 +81,7 @@ Expected<Chunk> compile(std::string_view source, const std::string& file) {
     if (source.size() > source_size_limit) return failure("the file is too large: at most 1 MB", {file});
     source = without_preamble(source);
     if (source.substr(0, 1) == std::string_view(LUA_SIGNATURE, 1))
-        return failure("this is bytecode: only Lua source text is run", {file, 1});
+        return failure("this is bytecode: only Lua source text can run", {file, 1});
     if (source.starts_with("\xFF\xFE") || source.starts_with("\xFE\xFF"))
         return failure("this is UTF-16: save the file as UTF-8", {file, 1});
     auto state = LuaState::create();

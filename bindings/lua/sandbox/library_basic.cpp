@@ -84,7 +84,7 @@ int set_metatable(lua_State* lua) {
         return luaL_error(lua, "cannot change a protected metatable");
     lua_settop(lua, 2);
     if (type == LUA_TTABLE) {
-        refuse_field(lua, "__gc", "nothing could stop a finalizer that does not end");
+        refuse_field(lua, "__gc", "a finalizer that never ends could not be stopped");
         refuse_field(lua, "__mode", "the contents of a weak table would differ from run to run");
         refuse_caller(lua);
     }

@@ -15,7 +15,7 @@
 namespace nezumi {
 namespace {
 
-constexpr std::string_view expected = "expected a number, a boolean, a text or a flat table of them";
+constexpr std::string_view expected = "expected a number, a boolean, a string or a flat table of them";
 
 // Whether the table at `index` is flat and small. Raises no error, and leaves the stack unchanged.
 Expected<void> check_flat(lua_State* L, int index) {
@@ -61,7 +61,7 @@ int global_probe(lua_State* L) {
             return failure(fmt::format("probe expected a name, got {}", Arguments{L}.kind(1)));
         const std::string_view name = string_at(L, 1);
         if (script.phase() == Script::Phase::loading)
-            return failure(fmt::format("probe '{}': nothing can be probed while the file loads", shown(name)));
+            return failure(fmt::format("probe '{}': probe can't be called while the file loads", shown(name)));
         lua_settop(L, 2);
         auto value = read_probe(L, script.context().budget);
         if (!value) return failure(fmt::format("probe '{}': {}", shown(name), value.error().message));

@@ -135,8 +135,8 @@ std::string Script::text_of(std::string_view shown) const {
 
 Expected<void> Script::begin_module(std::string_view name) {
     if (phase_ != Phase::loading)
-        return failure(
-            fmt::format("require '{}': modules are loaded while the file loads; require it at its top", name));
+        return failure(fmt::format(
+            "require '{}': modules are loaded while the file loads; call require at the top of the file", name));
     if (!context_.find_module) return failure(fmt::format("require '{}': there are no modules here", name));
     std::string chain;
     for (const LoadingModule& loading : loading_modules_) {
@@ -374,9 +374,9 @@ namespace {
 
 // Error messages of Lua for common mistakes in a first script, and the correct code.
 constexpr std::pair<std::string_view, std::string_view> cures[] = {
-    {"attempt to add a 'string' with", ".. joins texts in Lua"},
-    {"attempt to perform arithmetic on a string value", ".. joins texts in Lua"},
-    {"pairs' (table expected, got nil)", "was it ever set under this name? `x or {}` stands for an empty table"},
+    {"attempt to add a 'string' with", ".. joins strings in Lua"},
+    {"attempt to perform arithmetic on a string value", ".. joins strings in Lua"},
+    {"pairs' (table expected, got nil)", "was it set under this name? `x or {}` gives an empty table if x is nil"},
     {"attempt to call a table value (for iterator", "write `for i, value in ipairs(list) do`"},
     {"attempt to compare number with table", "a list has elements: list[1] is the first"},
     {"attempt to compare table with number", "a list has elements: list[1] is the first"},

@@ -104,7 +104,7 @@ void read_choices(Fields& options, ParameterSpec& spec) {
     const FileTable* table = value->get_if<FileTable>();
     if (table == nullptr || !table->fields.empty())
         return refuse(fmt::format("expected an array, got {}", table == nullptr ? kind_of(*value) : "another table"));
-    if (table->elements.empty()) return refuse("is empty: nothing could be chosen");
+    if (table->elements.empty()) return refuse("is empty: there is nothing to choose");
     for (std::size_t i = 0; i < table->elements.size(); ++i) {
         auto choice = to_parameter(table->elements[i]);
         if (!choice) return refuse(fmt::format("element {} {}", i + 1, choice.error().message));

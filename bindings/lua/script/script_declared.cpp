@@ -49,7 +49,7 @@ Expected<void> Script::check_name(std::string_view kind, std::string_view name, 
             "{0} '{1}': the name is already used in every component: choose another, as 'my_{1}'", kind, name));
     }
     if (contains(sandbox_names(), name))
-        return failure(fmt::format("{} '{}': the name is taken by Lua's library", kind, name));
+        return failure(fmt::format("{} '{}': the name is already used by Lua's library", kind, name));
     return {};
 }
 
@@ -63,13 +63,13 @@ Expected<PortSlot*> Script::declare_port(PortDeclaration declaration) {
         if (other.direction == declaration.direction) {
             return failure(fmt::format("{} is declared twice{}", port_title(declaration), first_in(other.place)));
         }
-        return failure(fmt::format("{}: the name is taken by {}{}", port_title(declaration), port_title(other),
+        return failure(fmt::format("{}: the name is already used by {}{}", port_title(declaration), port_title(other),
                                    first_in(other.place)));
     }
     for (const CommandDeclaration& other : commands_) {
         if (other.name == declaration.name) {
-            return failure(fmt::format("{}: the name is taken by command '{}'{}", port_title(declaration), other.name,
-                                       first_in(other.place)));
+            return failure(fmt::format("{}: the name is already used by command '{}'{}", port_title(declaration),
+                                       other.name, first_in(other.place)));
         }
     }
     ports_.push_back(std::move(declaration));
@@ -110,8 +110,8 @@ Expected<void> Script::declare_command(CommandDeclaration declaration, int funct
     }
     for (const PortDeclaration& port : ports_) {
         if (port.name == declaration.name) {
-            return failure(fmt::format("command '{}': the name is taken by {}{}", declaration.name, port_title(port),
-                                       first_in(port.place)));
+            return failure(fmt::format("command '{}': the name is already used by {}{}", declaration.name,
+                                       port_title(port), first_in(port.place)));
         }
     }
     commands_.push_back(std::move(declaration));

@@ -81,7 +81,7 @@ function cancel(name) end
 ---@return number
 function wait(seconds) end
 
----Waits until `condition()` is true, in a task only: looks at once and then once an execution. Returns false when it was
+---Waits until `condition()` is true, in a task only: looks immediately, then in each execution. Returns false when it was
 ---not within the time that is given.
 ---@param condition fun(): any
 ---@param options? WaitOptions

@@ -63,7 +63,7 @@ std::vector<NameService::Named> NameServers::all() {
 
 PeerAnswer NameServers::forget(const NameService::Named& named) {
     if (life_of(named.rtc) != Life::gone)
-        return {.problem = "the RTC still runs, or hangs: only names of RTCs that are gone can be removed"};
+        return {.problem = "the RTC still runs, or hangs: only names of RTCs that have ended can be removed"};
     ask_each([&](NameService& names) {
         names.unbind_whole(named);
         return false;

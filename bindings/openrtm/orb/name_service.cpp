@@ -133,7 +133,7 @@ Expected<NameService::Named> NameService::find(const std::string& component) {
     if (found.size() > 1) {
         std::sort(found.begin(), found.end(), [](const Named& a, const Named& b) { return a.name < b.name; });
         return failure("'" + component + "' could be rtm:" + found[0].name + " or rtm:" + found[1].name +
-                       ": write which");
+                       ": write one of them");
     }
     return found.front();
 }

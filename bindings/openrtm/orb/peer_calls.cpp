@@ -88,7 +88,7 @@ std::string change_state(RTC::RTObject_ptr rtc, RtcRequest::What what) {
         return "it is in ERROR: reset it (PRECONDITION_NOT_MET)";
     if (code != RTC::RTC_ERROR) return problem_of(code);
     // OpenRTM-aist waits half a second for the new state, and keeps the request while an execution lasts.
-    return context->is_running() ? "it executes for long, and may follow later (RTC_ERROR)"
+    return context->is_running() ? "its execution takes long, so it may follow later (RTC_ERROR)"
                                  : "its execution context is stopped: start that first (RTC_ERROR)";
 }
 
@@ -207,7 +207,7 @@ RTC::PortService_ptr find_port(RTC::RTObject_ptr rtc, std::string_view port) {
 std::string_view connection_problem(RTC::ReturnCode_t code) {
     switch (code) {
         case RTC::RTC_OK: return "";
-        case RTC::BAD_PARAMETER: return "it does not take the connection's type or properties (BAD_PARAMETER)";
+        case RTC::BAD_PARAMETER: return "it does not accept the connection's type or properties (BAD_PARAMETER)";
         case RTC::UNSUPPORTED: return "it does not support that (UNSUPPORTED)";
         case RTC::OUT_OF_RESOURCES: return "it has too many connections (OUT_OF_RESOURCES)";
         case RTC::PRECONDITION_NOT_MET: return "it says that they are connected already (PRECONDITION_NOT_MET)";

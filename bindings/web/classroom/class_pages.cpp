@@ -26,7 +26,7 @@ std::string field_in(const Json& request, const char* name) {
 Expected<void> Classroom::open_page(const Client& client, ClientId id, const Json& request) {
     Seat* seat = seat_of(client.pupil);
     if (seat == nullptr || (client.role != Role::pupil && client.role != Role::helper))
-        return failure("this link can't do that");
+        return failure("this page has no permission for that: open your own link of the class");
     const auto number = request.value("id", Json());
     if (!number.is_number_integer()) return failure("'id' must be a number");
     const auto work = pupils_.work_of(seat->pupil);

@@ -39,7 +39,7 @@ Expected<Classroom::Json> Classroom::perform(Client& client, const Json& request
     const bool is_own = client.role == Role::pupil || client.role == Role::guest;
     if (is_own && std::find(of_shared.begin(), of_shared.end(), what) != of_shared.end())
         return ask_shared(client, what);
-    if (seat == nullptr) return failure("this link can't do that");
+    if (seat == nullptr) return failure("this page has no permission for that: open your own link of the class");
     const bool may_act = client.role == Role::pupil || client.role == Role::helper;
     if (may_act && what == "check") return said(check_later(*seat));
     if (may_act && what == "restart") {
@@ -48,7 +48,7 @@ Expected<Classroom::Json> Classroom::perform(Client& client, const Json& request
         restart(*seat);
         return Json::object();
     }
-    return failure("this link can't do that");
+    return failure("this page has no permission for that: open your own link of the class");
 }
 
 Expected<Classroom::Json> Classroom::join(Client& client, const Json& request) {
@@ -68,7 +68,7 @@ Expected<Classroom::Json> Classroom::join(Client& client, const Json& request) {
     if (!door_is_open_) return failure("the teacher has closed the class to new pupils");
     if (seats_.size() >= most_pupils) return failure("the class is full");
     while (!joins_.empty() && now - joins_.front() > std::chrono::minutes(1)) joins_.pop_front();
-    if (joins_.size() >= most_joins) return failure("too many join at once: wait a minute");
+    if (joins_.size() >= most_joins) return failure("too many pupils are joining: wait a minute, then try again");
     auto pupil = pupils_.join(text_in(request, "name"));
     if (!pupil) return Unexpected(pupil.error());
     joins_.push_back(now);

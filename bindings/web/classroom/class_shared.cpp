@@ -38,7 +38,8 @@ std::string Classroom::why_not_shared(const Client& client, const Json& request)
     const Json what = request.is_object() ? request.value("do", Json()) : Json();
     if (!drives(client)) return "it is not your turn";
     if (has(while_driving, what) || (what == "act" && has(acts_of_driver, request.value("act", Json())))) return "";
-    return "in the shared system you drive, set parameters and press buttons; for all else use your own system";
+    return "in the shared system you can only drive, set parameters and press buttons: use your own system for "
+           "everything else";
 }
 
 Expected<Classroom::Json> Classroom::ask_shared(const Client& client, std::string_view what) {

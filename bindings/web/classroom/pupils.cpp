@@ -95,12 +95,12 @@ Pupil* Pupils::find_code(std::string_view code) const {
 
 Expected<Pupil*> Pupils::join(std::string_view given) {
     const std::string name(trimmed(given));
-    if (name.empty()) return failure("a name is needed");
+    if (name.empty()) return failure("enter a name");
     if (name.size() > longest_name) return failure("the name is too long");
     if (!is_utf8(name) || visible(name) != name || name.find_first_of("\n\t") != std::string::npos)
         return failure("the name has characters that can't be shown");
     if (std::any_of(all_.begin(), all_.end(), [&](const auto& each) { return each->name == name; }))
-        return failure("this name is taken: use your code to come back, or add a letter to the name");
+        return failure("this name is already used: use your code to come back, or add a letter to the name");
     const auto code = free_code();
     if (!code) return Unexpected(code.error());
     Pupil pupil{

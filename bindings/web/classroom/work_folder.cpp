@@ -79,10 +79,11 @@ std::optional<OverQuota> enforce_quota(const fs::path& project, const fs::path& 
         std::error_code problem;
         if (fs::remove(project / file, problem)) ++over.removed;
     }
-    over.why = fmt::format(
-        "it had written {:.1f} MB in {} files, and {:.1f} MB in {} files are allowed; {}", megabytes(bytes), files,
-        megabytes(quota.bytes), quota.files,
-        over.removed == 0 ? "make the texts shorter" : fmt::format("{} that are no texts were removed", over.removed));
+    over.why =
+        fmt::format("it had written {:.1f} MB in {} files, and {:.1f} MB in {} files are allowed; {}", megabytes(bytes),
+                    files, megabytes(quota.bytes), quota.files,
+                    over.removed == 0 ? "make the texts shorter"
+                                      : fmt::format("files removed because they are not text: {}", over.removed));
     return over;
 }
 

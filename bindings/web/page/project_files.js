@@ -11,7 +11,7 @@ export function checked_files(files) {
   if (names.length === 0 || names.length > MOST_FILES) throw new Error(`${names.length} files`);
   const checked = {};
   for (const name of names) {
-    if (!is_name(name)) throw new Error(`'${name.slice(0, 80)}' is no name of a project's file`);
+    if (!is_name(name)) throw new Error(`'${name.slice(0, 80)}' is not the name of a file of the project`);
     const content = files[name];
     if (typeof content !== "string" && typeof content?.base64 !== "string") throw new Error(`'${name}' has no content`);
     checked[name] = typeof content === "string" ? content : { base64: content.base64 };

@@ -27,7 +27,7 @@ export const EN = {
     no_answer: "No answer.",
   },
 
-  stop: { label: "Stop", hint: "Stop all robots at once (space bar)", rearm: "Re-arm",
+  stop: { label: "Stop", hint: "Stop all robots immediately (space bar)", rearm: "Re-arm",
     rearm_hint: "Let the robots move again", not_sent: "Not sent: there is no connection.", held: "Stopped. Commands are ignored until you re-arm." },
 
   time: { label: "Time", pause: "Pause", resume: "Run", step: "Step", step_hint: "One tick", restart: "Restart",
@@ -132,8 +132,8 @@ export const EN = {
     no_file: "The system file is not within the project: it can't be changed here.", changed: "Another program has changed the file: look at it, and try again.",
     no_call: (line) => `Line ${line} of the file has no such call: it is made by a map or a function. Edit the text.`,
     loop: (line) => `Line ${line} of the file makes several things, as in a loop. Edit the text.`,
-    no_robot: (name) => `The file does not contain exactly one robot "${name}" { ... }. Edit the text.`, no_place: (name) => `${name} stands in no line of the file.`,
-    not_number: (name) => `'${name}' is computed, or missing. Edit the text.`, choose: "Select what is to be removed.",
+    no_robot: (name) => `The file does not contain exactly one robot "${name}" { ... }. Edit the text.`, no_place: (name) => `No line of the file contains ${name}.`,
+    not_number: (name) => `'${name}' is computed, or missing. Edit the text.`, choose: "Select the thing to remove.",
   },
   devices: { of: (robot) => `Devices of ${robot}`, screen: "Its screen", buttons: "Buttons", press: (sensor) => `Press ${sensor}`, led: (i, is_on) => `light ${i} is ${is_on ? "on" : "off"}`, tone: (hertz) => `♪ ${hertz} Hz`, battery: (volts, is_low) => (is_low ? `Battery ${volts} V: too low, the robot stands` : `Battery ${volts} V`) },
 
@@ -156,7 +156,7 @@ export const EN = {
     view_only: "This page is view-only: it shows no files.",
     save: "Save", save_hint: "Save, and run the new version (Ctrl-S)", saving: "Saving…", saved: "Saved.", unsaved: "Not saved.",
     not_saved: (why) => `Not saved: ${why}. The text stays here.`, undo: "Undo", leave: "Tab leaves the text now.",
-    runs: (version, names) => `Saved: version ${version} runs (${names}).`, restart: "Saved. It counts from the next start:",
+    runs: (version, names) => `Saved: version ${version} runs (${names}).`, restart: "Saved. It is used from the next start:",
     which: "The file was changed by another program since you opened it. Red lines are in the file, green ones in your text.",
     overwrite: "Keep my text", take_theirs: "Take the file's text", taken: "Another program has changed this file: this is its text now. Undo goes back to yours.",
     changed_meanwhile: "Another program has changed this file. Save to see the difference and to choose.",
@@ -205,16 +205,16 @@ export const EN = {
       exercise: "Exercise", check: "Check my work", checking: "It is checked…", waits: "The check waits for others…",
       hidden: (passed, count) => `${passed} of ${count} more checks passed`, not_checked: "Not checked yet.", could_not: (why) => `The work could not be checked: ${why}`,
       hints: "Hints of the teacher", new_hint: (text) => `The teacher: ${text}`, mark: (mark) => `Mark: ${mark}`, comment: "Comment of the teacher",
-      frozen: "The teacher has paused the class.", helps: "The teacher helps here", looks: "The teacher looks on", projected: "This is on the projector",
+      frozen: "The teacher has paused the class.", helps: "The teacher helps here", looks: "The teacher is watching", projected: "This is on the projector",
       broken: (why) => `Your system can't run: ${why}. Correct it in the editor, then`, again: "Start again",
       of: (name) => `System of ${name}`, leave: "Leave", leave_hint: "Forget this pupil in this browser",
     },
   },
 
   playground: {
-    title: "Playground", about: "Robots that run in this page: change their programs, break them, mend them. Nothing is sent anywhere; what you save stays in this browser.",
-    kept: "Your projects", shipped: "Systems", no_cameras: "Needs a camera, which nezumi in a page does not have.", no_system: "no system is in it",
-    import: "Open a project (.zip):", not_imported: (why) => `Not opened: ${why}`, not_opened: (why) => `This address names no project that can be opened: ${why}`,
+    title: "Playground", about: "Robots that run in this page: change their programs, break them, repair them. Nothing is sent anywhere; what you save stays in this browser.",
+    kept: "Your projects", shipped: "Systems", no_cameras: "Needs a camera, which nezumi in a page does not have.", no_system: "it contains no system",
+    import: "Open a project (.zip):", not_imported: (why) => `Not opened: ${why}`, not_opened: (why) => `This address does not contain a project that can be opened: ${why}`,
     forget: "Forget", forget_question: (name) => `Forget ${name} and all of its files?`,
     link: "Link", link_hint: "Copy an address that holds the whole project", link_copied: (n) => `Copied: an address of ${n} characters holds the project.`,
     export: "Export", export_hint: "Save the project as .zip: unpack it, and nezumi runs it", anew: "Begin again", anew_hint: "End the engine and start it with the saved files",
@@ -227,7 +227,7 @@ export const EN = {
       steps: {
         behavior: { title: "A behaviour", text: "A behaviour reads in-ports and writes out-ports. This one reads the distances that the mouse measures, and drives faster when the thing in front is farther away. Open Editor, choose behaviors/keep_distance.lua, replace its text by the one below, and press Ctrl+S. The text has a spelling mistake: the list below the editor names it. Correct it and save again." },
         system: { title: "A system", text: "A system file lists robots and behaviours, and connects them. In behaviors/systems/keep_distance.lua there are a wall and a mouse only. Add the behaviour and the two connections, save, and press Begin again in the bar: the mouse drives to the wall and stops before it." },
-        change: { title: "Change it while it runs", text: "Open behaviors/keep_distance.lua, change the gain from 1.0 to 0.8, and save: the mouse uses the new version at once, and the time goes on. A mistake breaks nothing: the old version keeps running, and the log names the line." },
+        change: { title: "Change it while it runs", text: "Open behaviors/keep_distance.lua, change the gain from 1.0 to 0.8, and save: the mouse uses the new version immediately, and the time goes on. A mistake breaks nothing: the old version keeps running, and the log names the line." },
         test: { title: "A test", text: "A scenario sets up a world and states what must hold in it. Make the file tests/keep_distance_test.lua with New… in the editor, write the text below, and save. The view Scenarios runs it too: once for each distance, many times faster than the mouse. A good test fails when the behaviour is wrong: the check also runs it with a gain of 0.1." },
       },
     },

@@ -46,7 +46,7 @@ export async function read_zip(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   let end = bytes.length - 22;
   while (end >= 0 && view.getUint32(end, true) !== END) --end;
-  if (end < 0) throw new Error("this is no zip archive");
+  if (end < 0) throw new Error("this is not a zip archive");
   const files = {};
   let total = 0;
   let at = view.getUint32(end + 16, true);

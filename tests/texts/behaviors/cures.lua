@@ -3,12 +3,12 @@
 --- A table that was never set is named as a possible cause.
 function on_execute()
 for _, value in ipairs(state.list) do print(value) end
--- error: bad argument #1 to 'ipairs' (table expected, got nil): was it ever set under this name? `x or {}` stands for an empty table
+-- error: bad argument #1 to 'ipairs' (table expected, got nil): was it set under this name? `x or {}` gives an empty table if x is nil
 end
 
 function on_execute()
 for key in pairs(state.list) do print(key) end
--- error: bad argument #1 to 'pairs' (table expected, got nil): was it ever set under this name? `x or {}` stands for an empty table
+-- error: bad argument #1 to 'pairs' (table expected, got nil): was it set under this name? `x or {}` gives an empty table if x is nil
 end
 
 --- A loop over a list needs ipairs.
@@ -37,5 +37,5 @@ end
 
 --- Texts are joined by two dots.
 function on_execute()
-print("count: " + 1)  -- error: attempt to add a 'string' with a 'number': .. joins texts in Lua
+print("count: " + 1)  -- error: attempt to add a 'string' with a 'number': .. joins strings in Lua
 end

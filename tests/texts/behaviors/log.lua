@@ -24,7 +24,7 @@ end
 --- about is given once, with texts.
 about { vresion = '1' }  -- error: about: unknown option 'vresion' (did you mean 'version'?)
 
-about { version = 1 }  -- error: about: option 'version' expected a text, got number
+about { version = 1 }  -- error: about: option 'version' expected a string, got number
 
 about 'me'  -- error: about expected a table, got string
 

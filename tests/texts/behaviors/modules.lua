@@ -74,7 +74,7 @@ coroutine.resume(coroutine.create(require), 'cycle1') function on_execute() end
 -- file: a.lua
 return 1
 
-function on_execute() require 'a' end  -- error: require 'a': modules are loaded while the file loads; require it at its top
+function on_execute() require 'a' end  -- error: require 'a': modules are loaded while the file loads; call require at the top of the file
 
 --- An error in a module also gives the line of the behaviour that called it.
 -- file: inner.lua

@@ -148,7 +148,7 @@ param('x', 'a', { choices = { 'left', 'right' } })
 
 param('x', 1, { choices = { 1, 'c' } })  -- error: parameter 'x' (integer): expected integer, got string "c", in its choices
 
-param('x', 1, { choices = {} })  -- error: parameter 'x': option 'choices' is empty: nothing could be chosen
+param('x', 1, { choices = {} })  -- error: parameter 'x': option 'choices' is empty: there is nothing to choose
 
 param('x', 1, { choices = 3 })  -- error: parameter 'x': option 'choices' expected an array, got number
 

@@ -5,16 +5,16 @@ param('gains', { 1.0, 2.0 })
 function on_execute() probe('p', 1) probe('p', config.gains) end
 
 function on_execute() probe('p', print) end
--- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got function
+-- error: probe 'p': expected a number, a boolean, a string or a flat table of them, got function
 
 function on_execute() probe('p', nil) end
--- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got nothing
+-- error: probe 'p': expected a number, a boolean, a string or a flat table of them, got nothing
 
 function on_execute() probe('p', { { 1 } }) end
--- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got a table that contains other values
+-- error: probe 'p': expected a number, a boolean, a string or a flat table of them, got a table that contains other values
 
 function on_execute() probe('p', { [print] = 1 }) end
--- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got a table that contains other values
+-- error: probe 'p': expected a number, a boolean, a string or a flat table of them, got a table that contains other values
 
 function on_execute() local t = {} for i = 1, 64 do t[i] = i end probe('p', t) end
 
@@ -33,7 +33,7 @@ function on_execute() probe('a b', 1) end
 
 function on_execute() probe(1, 1) end  -- error: probe expected a name, got number
 
-probe('p', 1) param('x', 1)  -- error: probe 'p': nothing can be probed while the file loads
+probe('p', 1) param('x', 1)  -- error: probe 'p': probe can't be called while the file loads
 
 param('probe', 1)  -- error: parameter 'probe': the name is already used in every component: choose another, as 'my_probe'
 

@@ -253,16 +253,16 @@ input('a', 'TimedLong')
 input('a', 'TimedLong')  -- error: input 'a' is declared twice (first in line 1)
 
 input('a', 'TimedLong')
-output('a', 'TimedLong')  -- error: output 'a': the name is taken by input 'a' (first in line 1)
+output('a', 'TimedLong')  -- error: output 'a': the name is already used by input 'a' (first in line 1)
 
 command('a', function() end)
 command('a', function() end)  -- error: command 'a' is declared twice (first in line 1)
 
 input('a', 'TimedLong')
-command('a', function() end)  -- error: command 'a': the name is taken by input 'a' (first in line 1)
+command('a', function() end)  -- error: command 'a': the name is already used by input 'a' (first in line 1)
 
 command('a', function() end)
-input('a', 'TimedLong')  -- error: input 'a': the name is taken by command 'a' (first in line 1)
+input('a', 'TimedLong')  -- error: input 'a': the name is already used by command 'a' (first in line 1)
 
 input('a', 'TimedLong') param('a', 1)
 
@@ -382,7 +382,7 @@ param('wait', 1)  -- error: parameter 'wait': the name is already used in every 
 
 command('wait', print)  -- error: command 'wait': the name is already used in every component: choose another, as 'my_wait'
 
-param('math', 1)  -- error: parameter 'math': the name is taken by Lua's library
+param('math', 1)  -- error: parameter 'math': the name is already used by Lua's library
 
 input('aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa', 'TimedLong')
 -- error: input 'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...': the name is too long

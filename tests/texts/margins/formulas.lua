@@ -197,7 +197,7 @@ return function() return 1 < limit and 1 > low end  -- returns: 3 (1 < limit)
 
 --- A condition whose source text can't be found has no margin.
 local f, g = function() return 1 < 4 end, function() return 2 < 4 end
-return g  -- returns: none: several functions begin in its line
+return g  -- returns: none: several functions begin on its line
 
 return function(...) return select("#", ...) > 0, "more" end  -- returns: 0 (select("#", ...) > 0)
 

@@ -43,7 +43,7 @@ return mouse.truth.position  -- error: mouse.truth has no 'position'
 
 return controller.collided  -- error: controller has no 'collided'
 
-return controller[1]  -- error: controller is a component: its members have names
+return controller[1]  -- error: controller is a component: expected the name of a member
 
 --- State is a copy that can't be changed.
 return controller.state.count, controller.state.list[2].deep  -- returns: 0 true
@@ -108,7 +108,7 @@ inject()  -- error: expected a port or "name.port", got nothing
 
 hold('controller.in')  -- error: expected a value for controller.in
 
-inject('controller', {})  -- error: 'controller' names no port: expected "name.port"
+inject('controller', {})  -- error: 'controller' is not a port: expected "name.port"
 
 --- The truth can't be set, and the message says what to use.
 mouse.truth.pose.position.x = 3
@@ -127,7 +127,7 @@ mouse:teleport(mouse.truth.pose) return mouse.truth.pose.position.x  -- returns:
 --- A port can't be assigned, and the message names it.
 controller.ports.zzz = 3  -- error: zzz can't be set
 
-controller.ports[1] = 'zzz'  -- error: what you name can't be set
+controller.ports[1] = 'zzz'  -- error: this member can't be set
 
 controller.ports.out.zzz = 3  -- error: controller.out: its members can't be set; write a value with :write(value)
 

@@ -118,16 +118,16 @@ sensors = { a = { kind = 'range', on = 'neck' } }, actuators = { neckk = { kind 
 
 --- A port of a robot must not have the name of a member of every component or robot.
 ports = { truth = { type = 'TimedPose2D', from = 'odometry' } }
---        ^ error: robot_model: port 'truth': the name is taken: robot.truth is a member of every component
+--        ^ error: robot_model: port 'truth': the name is already used: robot.truth is a member of every component
 
 ports = { collided = { type = 'TimedPose2D', from = 'odometry' } }
---        ^ error: robot_model: port 'collided': the name is taken: robot.collided is a member of every component
+--        ^ error: robot_model: port 'collided': the name is already used: robot.collided is a member of every component
 
 ports = { status = { type = 'TimedPose2D', from = 'odometry' } }
---        ^ error: robot_model: port 'status': the name is taken: robot.status is a member of every component
+--        ^ error: robot_model: port 'status': the name is already used: robot.status is a member of every component
 
 ports = { config = { type = 'TimedPose2D', from = 'odometry' } }
---        ^ error: robot_model: port 'config': the name is taken: robot.config is a member of every component
+--        ^ error: robot_model: port 'config': the name is already used: robot.config is a member of every component
 
 --- The message about a missing field of a robot says what is expected.
 return robot_model {}  -- error: robot_model: field 'mass' is missing: expected a positive number in kg: of the whole robot
@@ -142,7 +142,7 @@ sensors = { a = {} }
 --          ^ error: robot_model: field 'sensors.a.kind' is missing: expected one of range, button, touch, gyro, color, reflect, ambient, scan, imu, neighbours: what it measures
 
 ports = { a = { to = 'drive' } }
---        ^ error: robot_model: field 'ports.a.type' is missing: expected a text: a message type
+--        ^ error: robot_model: field 'ports.a.type' is missing: expected a string: a message type
 
 --- A port carries values of existing sensors that fit its type.
 sensors = { front = { kind = 'range' }, back = { kind = 'range' } }, actuators = { lamps = { kind = 'leds' } },
@@ -246,7 +246,7 @@ sensors = { a = { kind = 'range',
 
 sensors = { a = { kind = 'range',
  response = function(d) return math.huge end } }
--- error at column 2: robot_model: field 'sensors.a.response': returned no finite number
+-- error at column 2: robot_model: field 'sensors.a.response': returned only values that are not finite numbers
 
 sensors = { a = { kind = 'range',
  response = function(d)

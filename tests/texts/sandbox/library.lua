@@ -71,9 +71,9 @@ setmetatable({}, { __call = 'x' })  -- error: setmetatable: '__call' expected a 
 
 --- Finalizers and weak tables are refused.
 setmetatable({}, { __gc = function() end })
--- error: setmetatable: '__gc' is refused: nothing could stop a finalizer that does not end
+-- error: setmetatable: '__gc' is refused: a finalizer that never ends could not be stopped
 
-setmetatable({}, { __gc = false })  -- error: setmetatable: '__gc' is refused: nothing could stop a finalizer that does not end
+setmetatable({}, { __gc = false })  -- error: setmetatable: '__gc' is refused: a finalizer that never ends could not be stopped
 
 setmetatable({}, { __mode = 'k' })
 -- error: setmetatable: '__mode' is refused: the contents of a weak table would differ from run to run

@@ -2,18 +2,18 @@
 
 --- The name of a scenario is used once.
 scenario('a', function() end)
-scenario('a', function() end)  -- error: scenario 'a': the name is taken by the scenario of it_test.lua:1
+scenario('a', function() end)  -- error: scenario 'a': the name is already used by the scenario at it_test.lua:1
 
 scenario('a', { sweep = { x = { 1, 2 }, y = { 'b' } } }, function() end)
 scenario('a [x=1, y=b]', function() end)
--- error: scenario 'a [x=1, y=b]': the name is taken by a run of the scenario of it_test.lua:1
+-- error: scenario 'a [x=1, y=b]': the name is already used by a run of the scenario at it_test.lua:1
 
 scenario('a [x=1, y=b]', function() end)
 scenario('a', { sweep = { x = { 1, 2 }, y = { 'b' } } }, function() end)
--- error: scenario 'a': its run 'a [x=1, y=b]' has the same name as the scenario of it_test.lua:1
+-- error: scenario 'a': its run 'a [x=1, y=b]' has the same name as the scenario at it_test.lua:1
 
 scenario('a', { sweep = { x = range(0, 3) } }, function() end)
-scenario('a [x=2.0]', function() end)  -- error: scenario 'a [x=2.0]': the name is taken by a run of the scenario of it_test.lua:1
+scenario('a [x=2.0]', function() end)  -- error: scenario 'a [x=2.0]': the name is already used by a run of the scenario at it_test.lua:1
 
 --- The names of thousands of scenarios are compared in time.
 for i = 1, 10000 do scenario('a' .. i, { sweep = i % 2 == 0 and { x = { 1 } } or nil }, function() end) end
@@ -84,7 +84,7 @@ scenario('it', { seed = -1 }, function() end)
 --               ^ error: scenario 'it': option 'seed' expected a whole number from 0 to 9223372036854775807, got -1
 
 scenario('it', { seed = 7, seeds = 3 }, function() end)
---                         ^ error: scenario 'it': option 'seeds': 'seed' gives all runs the same one: leave one of them out
+--                         ^ error: scenario 'it': option 'seeds': 'seed' gives all runs the same one: leave out one of them
 
 scenario('it', { paired = 'controler', sweep = { controller = { 1, 2 } } }, function() end)
 -- error: scenario 'it': option 'paired': the sweep has no list 'controler' (did you mean 'controller'?)

@@ -30,7 +30,7 @@ s:load 'systems/stop_at_wall.lua'
 s:reload('controller', { text = '', 5 })  -- error: reload: unknown option '[1]': expected file, text
 
 s:load 'systems/stop_at_wall.lua'
-s:reload('controller', { text = 5 })  -- error: reload: option 'text' expected a text, got number
+s:reload('controller', { text = 5 })  -- error: reload: option 'text' expected a string, got number
 
 s:load 'systems/stop_at_wall.lua'
 s:reload('controller', { txt = 'x' })  -- error: reload: unknown option 'txt' (did you mean 'text'?)
@@ -74,7 +74,7 @@ s:always('a', function() s:run('x', 2) return true end) s:run(1)
 
 s:load 'systems/stop_at_wall.lua'
 s:always('a', function(world) return world end)
--- error: always: 'a': the function is called with nothing; its parameter 'world' is never given: leave it out
+-- error: always: 'a': the function is called without arguments; its parameter 'world' is never given: leave it out
 
 --- A condition can't set parameters.
 local w = s:load 'systems/stop_at_wall.lua'
@@ -103,7 +103,7 @@ s:measure('a', math.huge)  -- error: measure: 'a': expected a finite number, got
 
 s:measure('a', 1, 5)  -- error: measure: 'a': expected a unit as in "s", got number
 
-s:measure('a', 0.5) s:measure('a', 1)  -- error: measure: 'a': is measured already, as 0.5: a run keeps one number a name
+s:measure('a', 0.5) s:measure('a', 1)  -- error: measure: 'a': is already measured, as 0.5: a run keeps one number for each name
 
 --- Tables are equal at any depth, and compared once each.
 local function chain(n, leaf) local t = { leaf = leaf } for _ = 1, n do t = { x = t } end return t end

@@ -30,7 +30,7 @@ do scenario('inner', function() end) end  -- error: scenario: a scenario can't d
 
 --- A violated always ends the scenario at once, and pcall can't catch it.
 s:load 'systems/stop_at_wall.lua'
-s:always('rests', function() return s:now() < 0.5 end)  -- failed: always 'rests' held until 0.49 s and ceased at 0.50 s
+s:always('rests', function() return s:now() < 0.5 end)  -- failed: always 'rests' held until 0.49 s and failed at 0.50 s
 pcall(function() coroutine.wrap(function() pcall(s.run, s, 1) end)() end)
 while true do pcall(error) end
 
@@ -182,7 +182,7 @@ s:run(1)
 local first = s:load 'systems/stop_at_wall.lua'
 s:load 'systems/stop_at_wall.lua'
 s:connect(first.controller.out, first.mouse.target_velocity_in)
--- error: connect: controller.out is of another world than the one that was loaded last, which words add to
+-- error: connect: controller.out belongs to another world: functions like s:behavior add only to the world that was loaded last
 
 --- s:rate and s:physics are accepted until time passes.
 s:robot 'mouse' { model = 'raspimouse' }
@@ -210,11 +210,11 @@ s:robot 'r' { model = 'raspimouse', pose = { y = 1 }, calibrated = true }
 s:run(0.1)
 
 --- The message of a check must be a text.
-s:check(true, {})  -- error: check: expected a message (a text), got table
+s:check(true, {})  -- error: check: expected a message (a string), got table
 
 s:check(1 == 2, 3.5)  -- failed: check failed: 3.5
 
-s:near(1, 1, 1, {})  -- error: near: expected a message (a text), got table
+s:near(1, 1, 1, {})  -- error: near: expected a message (a string), got table
 
 --- A component of a world that can't be built gives the reason.
 local mouse = s:robot 'mouse' { model = 'raspimouse' }
@@ -224,7 +224,7 @@ return mouse.truth
 
 local begun = s:robot 'mouse'
 s:load 'systems/stop_at_wall.lua'
-begun { model = 'raspimouse' }  -- error: this table follows a name that belongs to an earlier world
+begun { model = 'raspimouse' }  -- error: this table belongs to a name of an earlier world
 
 --- A condition can't let time pass.
 s:load 'systems/stop_at_wall.lua'

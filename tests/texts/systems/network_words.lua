@@ -1,7 +1,7 @@
 -- network and ros in system files: what they refuse.
 
 --- network refuses invalid hosts and names.
-network {}  -- error: network: field 'name' is missing: expected a text: what other hosts call this one
+network {}  -- error: network: field 'name' is missing: expected a string: what other hosts call this one
 
 network { name = 'a b' }
 --        ^ error: network: field 'name' expected letters, digits and _, not beginning with a digit, got 'a b'
@@ -16,7 +16,7 @@ network { name = 'a', domain = 233 }
 --                    ^ error: network: field 'domain' expected a whole number from 0 to 232, got 233
 
 network { name = 'a', open = true, secret = 'k' }
---                    ^ error: network: field 'open': with a `secret`, only hosts that have it may write: leave one of them out
+--                    ^ error: network: field 'open': with a `secret`, only hosts that have it may write: leave out one of them
 
 network { name = 'a', hosts = 'b' }
 --                    ^ error: network: field 'hosts': only lockstep waits for hosts: say `lockstep = true` as well
@@ -40,37 +40,37 @@ network { name = 'a' }
 network { name = 'a' }  -- error: network: is set already, at system.lua:1
 
 --- ros refuses invalid topics.
-ros {}  -- error: ros: field 'node' is missing: expected a text: the node's name
+ros {}  -- error: ros: field 'node' is missing: expected a string: the node's name
 
 ros { node = 'n', publish = { ['a.b'] = 'odom' } }
---                             ^ error: ros: field 'publish.a.b' names no topic 'odom': expected a whole name as "/odom"
+--                             ^ error: ros: field 'publish.a.b' has an invalid topic 'odom': expected a whole name as "/odom"
 
 ros { node = 'n', publish = { ['a.b'] = '/' } }
---                             ^ error: ros: field 'publish.a.b' names no topic '/': expected a whole name as "/odom"
+--                             ^ error: ros: field 'publish.a.b' has an invalid topic '/': expected a whole name as "/odom"
 
 ros { node = 'n', publish = { ['a.b'] = '/a/' } }
---                             ^ error: ros: field 'publish.a.b' names no topic '/a/': expected no slash at the end
+--                             ^ error: ros: field 'publish.a.b' has an invalid topic '/a/': expected no slash at the end
 
 ros { node = 'n', publish = { ['a.b'] = '/a//b' } }
---                             ^ error: ros: field 'publish.a.b' names no topic '/a//b': expected tokens of letters, digits and _ between slashes, none beginning with a digit
+--                             ^ error: ros: field 'publish.a.b' has an invalid topic '/a//b': expected tokens of letters, digits and _ between slashes, none beginning with a digit
 
 ros { node = 'n', publish = { ['a.b'] = '/1a' } }
---                             ^ error: ros: field 'publish.a.b' names no topic '/1a': expected tokens of letters, digits and _ between slashes, none beginning with a digit
+--                             ^ error: ros: field 'publish.a.b' has an invalid topic '/1a': expected tokens of letters, digits and _ between slashes, none beginning with a digit
 
 ros { node = 'n', publish = { ['a.b'] = '/a b' } }
---                             ^ error: ros: field 'publish.a.b' names no topic '/a b': expected tokens of letters, digits and _ between slashes, none beginning with a digit
+--                             ^ error: ros: field 'publish.a.b' has an invalid topic '/a b': expected tokens of letters, digits and _ between slashes, none beginning with a digit
 
 ros { node = 'n', subscribe = { [''] = 'a.b' } }
---                               ^ error: ros: field 'subscribe.' names no topic '': expected a whole name as "/odom"
+--                               ^ error: ros: field 'subscribe.' has an invalid topic '': expected a whole name as "/odom"
 
 ros { node = 'n', publish = { ['a.b'] = { topc = '/a' } } }
 --                                        ^ error: ros: unknown field 'publish.a.b.topc' (did you mean 'topic'?)
 
 ros { node = 'n', subscribe = { ['/a'] = { type = 'x' } } }
---                               ^ error: ros: field 'subscribe./a.port' is missing: expected a text: "name.port"
+--                               ^ error: ros: field 'subscribe./a.port' is missing: expected a string: "name.port"
 
 ros { node = 'n', subscribe = { ['/a'] = { topic = '/b', port = 'c.d' } } }
---                                         ^ error: ros: field 'subscribe./a.topic' is given already, by the name '/a'
+--                                         ^ error: ros: field 'subscribe./a.topic' is already given by the name '/a'
 
 network { name = 'a', interface = 'lo' }
 ros { node = 'n' }  -- error: ros: is in domain 0 as network is: 'interface' and 'peers' must be the same in both

@@ -47,7 +47,7 @@ arena { csv = 'map.csv' }
 
 --- The message about a value of the wrong type names its field.
 robot 'm' { model = 5 }
---          ^ error: robot 'm': field 'model' expected a text, got number
+--          ^ error: robot 'm': field 'model' expected a string, got number
 
 robot 'm' { model = 'raspimouse', pose = { x = '1' } }
 --                                         ^ error: robot 'm': field 'pose.x' expected a number, got string
@@ -68,10 +68,10 @@ robot 'm' { model = 'raspimouse', active = 1 }
 --                                ^ error: robot 'm': field 'active' expected true or false, got number
 
 behavior 'c' { script = 'robot_controller', config = { speed_x = print } }
---                                                     ^ error: behavior 'c': field 'config.speed_x' expected a number, a boolean, a text or an array of them, got function
+--                                                     ^ error: behavior 'c': field 'config.speed_x' expected a number, a boolean, a string or an array of them, got function
 
 behavior 'c' { script = 'robot_controller', config = { a = { 1, 'x' } } }
---                                                     ^ error: behavior 'c': field 'config.a' expected an array of numbers, of booleans or of texts
+--                                                     ^ error: behavior 'c': field 'config.a' expected an array of numbers, of booleans or of strings
 
 behavior 'c' { script = 'robot_controller', config = { a = { b = 1 } } }
 --                                                     ^ error: behavior 'c': field 'config.a' expected an array, got a table with a field 'b'
@@ -82,13 +82,13 @@ behavior 'c' { script = 'robot_controller', config = { a = -math.huge } }
 robot 'm' 'raspimouse'  -- error: robot 'm': expected a table, got string
 
 --- The message about a missing field says what is expected.
-robot 'm' {}  -- error: robot 'm': field 'model' is missing: expected a text: a robot's file, for example "raspimouse"
+robot 'm' {}  -- error: robot 'm': field 'model' is missing: expected a string: a robot's file, for example "raspimouse"
 
 behavior 'c' {}
--- error: behavior 'c': field 'script' is missing: expected a text: a behaviour's file, for example "robot_controller"
+-- error: behavior 'c': field 'script' is missing: expected a string: a behaviour's file, for example "robot_controller"
 
 component 'c' {}
--- error: component 'c': field 'type' is missing: expected a text: a native component's type, for example "Camera"
+-- error: component 'c': field 'type' is missing: expected a string: a native component's type, for example "Camera"
 
 arena { box { size = { 1, 1, 1 } } }
 -- error: box: field 'at' is missing: expected { x, y, z } in m: centre; without z it stands on the floor
@@ -133,7 +133,7 @@ arena { box { at = { 0, 0 }, size = { 1, 1, 1 }, color = 'yelow' } }
 --                                               ^ error: box: field 'color' expected "#rrggbb" or the name of a colour, got 'yelow' (did you mean 'yellow'?)
 
 arena { box { at = { 0, 0 }, size = { 1, 1, 1 }, mass = 1, pitch = 0.1 } }
---                                                         ^ error: box: field 'pitch' is for a box without mass: a movable one stands level
+--                                                         ^ error: box: field 'pitch' can be used only for a box without mass: a movable box stands level
 
 arena { wall { from = { 1, 1 }, to = { 1, 1 } } }
 --                              ^ error: wall: 'from' and 'to' are the same place: expected a wall with a length
@@ -147,19 +147,19 @@ arena { cylinder { at = { 0, 0 }, radius = -1, height = 1 } }
 arena { maze {} }  -- error: maze: field 'rows' is missing: expected a drawing, or generate = { columns =, rows =, seed = }; or write maze "FILE"
 
 arena { maze { rows = 'x' } }
---             ^ error: maze: field 'rows' expected a list of texts, got string
+--             ^ error: maze: field 'rows' expected a list of strings, got string
 
 arena { maze { rows = { '+--+', 5 } } }
---                              ^ error: maze: field 'rows[2]' expected a text, got number
+--                              ^ error: maze: field 'rows[2]' expected a string, got number
 
 arena { maze { rows = { '+--+', '|  |' } } }
 --             ^ error: maze: field 'rows' expected 2 rows for each cell and one more, for 1 to 64 cells, got 2 rows
 
 arena { maze { rows = { '+--+', '|  |', '+-++' } } }
---                                      ^ error: maze: field 'rows[3]' expected "--" or blanks from sign 2 on, got "-+"
+--                                      ^ error: maze: field 'rows[3]' expected "--" or blanks from character 2 on, got "-+"
 
 arena { maze { rows = { '+--+', '|  |', '+--+' }, generate = {} } }
---                                                ^ error: maze: field 'generate' is for a maze without 'rows'
+--                                                ^ error: maze: field 'generate' can be used only in a maze without 'rows'
 
 arena { maze { generate = { columns = 65 } } }
 --                          ^ error: maze: field 'generate.columns' expected a whole number from 1 to 64, got 65
@@ -171,10 +171,10 @@ arena { maze { generate = {}, thickness = 0.1 } }
 -- error: maze: field 'cell' expected at least 0.2 m, twice the walls' thickness, got 0.18
 
 arena { maze { 'mazes/first.txt', rows = {} } }
---                                ^ error: maze: field 'rows' is for a maze without a file
+--                                ^ error: maze: field 'rows' can be used only in a maze without a file
 
 arena { maze { 'mazes/first.txt', generate = {} } }
---                                ^ error: maze: field 'generate' is for a maze without a file
+--                                ^ error: maze: field 'generate' can be used only in a maze without a file
 
 arena { maze(5) }
 -- error: maze: expected a table, got number
@@ -201,22 +201,22 @@ box { at = { 0, 0 }, size = { 1, 1, 1 } }  -- error: box: it is not in the arena
 
 local b = box { at = { 0, 0 }, size = { 1, 1, 1 } }
 arena { b }
-arena { b }  -- error: arena: the box of system.lua:1 is in the arena already
+arena { b }  -- error: arena: the box at system.lua:1 is in the arena already
 
-arena { 5 }  -- error: arena: element 1 is no box, wall, cylinder, marker, maze, floor, line, csv or map, but a number
+arena { 5 }  -- error: arena: element 1: expected a box, wall, cylinder, marker, maze, floor, line, csv or map, got a number
 
 arena { { at = { 0, 0 } } }
--- error: arena: element 1 is no box, wall, cylinder, marker, maze, floor, line, csv or map, but a table
+-- error: arena: element 1: expected a box, wall, cylinder, marker, maze, floor, line, csv or map, got a table
 
 arena { size = { 1, 1 } }
 arena { size = { 1, 1 } }
 --      ^ error: arena: field 'size' is set already, at system.lua:1
 
-arena { marker { name = 'c', id = 1, at = { 0, 0, 0 } } }  -- error: marker 'c': the name is taken by the behavior of system.lua:2
+arena { marker { name = 'c', id = 1, at = { 0, 0, 0 } } }  -- error: marker 'c': the name is already used by the behavior at system.lua:2
 behavior 'c' { script = 'robot_controller' }
 
 arena { marker { id = 1, at = { 0, 0, 0 } },
- marker { id = 1, at = { 1, 0, 0 } } }  -- error: marker: the name 'marker_1' is taken by the marker of system.lua:1
+ marker { id = 1, at = { 1, 0, 0 } } }  -- error: marker: the name 'marker_1' is already used by the marker at system.lua:1
 
 --- The message about an unknown model or script gives the nearest name and the places that were searched.
 robot 'm' { model = 'raspimous' }
@@ -232,11 +232,11 @@ arena { floor { image = 'no.png', size = { 1, 1 } } }
 --              ^ error: floor: there is no file 'no.png'; looked for no.png, engine/robots/no.png, behaviors/no.png
 
 arena { floor { size = { 1, 1 } } }
--- error: floor: field 'image' is missing: expected a text: a picture (PNG, JPEG, BMP, TIFF, PPM, WebP ...); its upper edge lies towards positive y, its right one towards positive x
+-- error: floor: field 'image' is missing: expected a string: a picture (PNG, JPEG, BMP, TIFF, PPM, WebP ...); its upper edge lies towards positive y, its right one towards positive x
 
 --- A name must be an identifier that is not used.
 robot 'm' { model = 'raspimouse' }
-behavior 'm' { script = 'robot_controller' }  -- error: behavior 'm': the name is taken by the robot of system.lua:1
+behavior 'm' { script = 'robot_controller' }  -- error: behavior 'm': the name is already used by the robot at system.lua:1
 
 robot 'my mouse' { model = 'raspimouse' }
 -- error: robot 'my mouse': a name consists of letters, digits and _, and does not begin with a digit
@@ -261,7 +261,7 @@ behavior 'c' { script = 'robot_controller', sets = { careful = {} }, set = 'care
 --                                                                   ^ error: behavior 'c': field 'set': there is no set 'carefull' in 'sets' (did you mean 'careful'?)
 
 behavior 'c' { script = 'robot_controller', sets = { default = {} } }
---                                                   ^ error: behavior 'c': field 'sets.default': to use "default" is to have no set in use: choose another name
+--                                                   ^ error: behavior 'c': field 'sets.default': the name "default" means that no set is in use: choose another name
 
 behavior 'c' { script = 'robot_controller', sets = { [''] = {} } }
 --                                                    ^ error: behavior 'c': field 'sets.': a set needs a name
@@ -273,7 +273,7 @@ behavior 'c' { script = 'robot_controller', sets = { careful = 3 } }
 --                                                   ^ error: behavior 'c': field 'sets.careful' expected a table, got number
 
 behavior 'c' { script = 'robot_controller', sets = { careful = { x = {{}} } } }
---                                                               ^ error: behavior 'c': field 'sets.careful.x' expected an array of numbers, of booleans or of texts
+--                                                               ^ error: behavior 'c': field 'sets.careful.x' expected an array of numbers, of booleans or of strings
 
 --- A component must be on a robot of the system.
 robot 'mouse' { model = 'raspimouse' }
@@ -480,7 +480,7 @@ behavior 'b' { script = 'robot_controller', rate = 1e-7 }
 --                                          ^ error: behavior 'b': field 'rate' expected at least 1e-06 Hz, got 1e-07
 
 physics {}
--- error: physics: field 'step' is missing: expected a positive number in s: of time that the physics advances at once; a tick is a whole number of them
+-- error: physics: field 'step' is missing: expected a positive number in s: duration of a physics step; a tick is a whole number of them
 
 --- A tick must be a whole number of physics steps.
 -- tick

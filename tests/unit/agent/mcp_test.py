@@ -279,12 +279,12 @@ class McpTest(unittest.TestCase):
         agent.call("open_world", system="behaviors/systems/alone.lua")
         for path in ("quit()", "quit\n()", "mouse;quit()", "mouse or quit()", "(quit)", "mouse['x']", "--", "", "mouse.", "1",
                      "mouse[quit()]", "mo\x00use"):
-            self.refused(agent.call("look", path=path), "no name")
-            self.refused(agent.call("explain", component=path), "no name")
-            self.refused(agent.call("inject", port=path, value=1), "no name")
-            self.refused(agent.call("set_parameter", component=path, parameter="x", value=1), "no name")
-            self.refused(agent.call("set_parameter", component="keeper", parameter=path, value=1), "no name")
-            self.refused(agent.call("live_look", system="none", path=path), "no name")
+            self.refused(agent.call("look", path=path), "is not a name")
+            self.refused(agent.call("explain", component=path), "is not a name")
+            self.refused(agent.call("inject", port=path, value=1), "is not a name")
+            self.refused(agent.call("set_parameter", component=path, parameter="x", value=1), "is not a name")
+            self.refused(agent.call("set_parameter", component="keeper", parameter=path, value=1), "is not a name")
+            self.refused(agent.call("live_look", system="none", path=path), "is not a name")
         agent.call("look", path="quit")  # a function: it is shown, and not called
         self.passed(agent.call("step", ticks=1), "now")
         self.refused(agent.call("set_parameter", component="keeper", parameter="speed", value="0 quit()"))
@@ -377,7 +377,7 @@ class McpTest(unittest.TestCase):
 
     def test_a_folder_that_is_no_project_is_told_in_one_line(self):
         for folder, said in (("/none", "nezumi: mcp: there is no folder /none\n"),
-                             (self.home, "nezumi: mcp: %s is no project: it has no folder behaviors/ of its own\n" % self.home)):
+                             (self.home, "nezumi: mcp: %s is not a project: it has no folder behaviors/ of its own\n" % self.home)):
             done = subprocess.run([NEZUMI, "mcp", "--project", folder], capture_output=True, text=True, stdin=subprocess.DEVNULL)
             self.assertEqual((done.returncode, done.stderr), (2, said))
 

@@ -57,7 +57,7 @@ class CellsTest(unittest.TestCase):
 
     def test_a_text_has_its_limit(self):
         self.assertEqual(len(message(TEXT, ["value"], "x" * 1000)), 1002)
-        with self.assertRaisesRegex(Wrong, "^A2: a text of more than 1000 characters is not sent$"):
+        with self.assertRaisesRegex(Wrong, "^A2: the text has more than 1000 characters and is not sent$"):
             message(TEXT, ["value"], "x" * 1001)
 
     def test_a_part_of_a_message_is_found_and_none_behind_its_end(self):

@@ -101,7 +101,8 @@ TEST_CASE("every script knows every command and option", "[cli][completion]") {
     }
     CHECK(run_nezumi({"completion", "fish"}).out == completion_script(whole, "fish"));
     CHECK(run_nezumi({"completion", "bsh"}).error ==
-          "nezumi: completion: there is nothing for a shell 'bsh' (did you mean 'bash'?); known are bash, zsh, fish\n");
+          "nezumi: completion: there is no completion for the shell 'bsh' (did you mean 'bash'?); known are bash, zsh, "
+          "fish\n");
 }
 
 TEST_CASE("the form of a value decides its completion", "[cli][completion]") {

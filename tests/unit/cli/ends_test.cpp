@@ -199,14 +199,13 @@ TEST_CASE("a file that takes nothing is given up, with a line", "[cli][ends][wal
     sleep(1);
     holds(sink("`--" + option + "`"), run);
     run.wait();
-    CHECK_THAT(
-        run.error,
-        Catch::Contains(
-            option == "picture"
-                ? "nezumi: the run did not end within 2 s of SIGTERM, as it waited for results to be written: "
-                  "ended at once\n"
-            : option == "journal" ? unread.file + ": the journal can't be written: it did not accept all data in time"
-                                  : unread.file + ": can't be written: it did not accept all data in time"));
+    CHECK_THAT(run.error,
+               Catch::Contains(option == "picture" ? "nezumi: the run did not end within 2 s of SIGTERM, because it "
+                                                     "was waiting for results to be written: "
+                                                     "it was ended immediately\n"
+                               : option == "journal"
+                                   ? unread.file + ": the journal can't be written: it did not accept all data in time"
+                                   : unread.file + ": can't be written: it did not accept all data in time"));
 }
 
 TEST_CASE("a file that takes less than comes ends the run with a line", "[cli][ends][wallclock]") {
@@ -229,7 +228,7 @@ TEST_CASE("a standard output that is full keeps no run from its end", "[cli][end
     REQUIRE(run.wait_for_error("begins"));
     holds(sink("standard output: the trace hash"), run);
     run.wait();
-    CHECK_THAT(run.error, Catch::Contains("as it waited for standard output: ended at once\n"));
+    CHECK_THAT(run.error, Catch::Contains("because it was waiting for standard output: it was ended immediately\n"));
 }
 
 TEST_CASE("a console writes only to files: a FIFO is refused at once", "[cli][ends][wallclock]") {

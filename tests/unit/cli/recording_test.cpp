@@ -124,6 +124,6 @@ end
     REQUIRE(lines.size() == 101);
     CHECK(lines[0] == "time,it.out");
     CHECK(lines[99] == "0.98,99");
-    CHECK(lines[100] == "# the recording ends here: the run was ended at once");
+    CHECK(lines[100] == "# the recording ends here: the run was ended immediately");
     CHECK(text_of_file(csv + "~") == "time,of an earlier run\n");
 }

@@ -234,7 +234,7 @@ TEST_CASE("a twin has the sensors of its model, and no in-port that could comman
 
 TEST_CASE("twins that can't be are refused", "[cli][hw][twin]") {
     CHECK(refused_twin("robot 'mouse' { model = 'raspimouse', backend = 'sim' }\n") ==
-          "system.lua has no real robot to simulate beside");
+          "system.lua has no real robot that could have a twin");
     const std::string taken = one_mouse + "robot 'mouse_twin' { model = 'raspimouse', backend = 'sim' }\n";
     CHECK(refused_twin(taken) == "the twin of 'mouse' is called 'mouse_twin': give this one another name");
     const Scratch scratch;

@@ -71,8 +71,8 @@ TEST_CASE("a line that is not a request is refused with one line", "[console][pr
     CHECK(refusal("{\"do\":\"eval\"") == "expected one JSON object on a line, got {\"do\":\"eval\"");
     CHECK(refusal("{}") == "'do' must be one of hello eval complete is_complete interrupt key");
     CHECK(refusal("{\"do\":\"evil\"}") == "'do' must be one of hello eval complete is_complete interrupt key");
-    CHECK(refusal("{\"do\":3}") == "'do' must be a text");
-    CHECK(refusal("{\"do\":\"eval\",\"text\":{}}") == "'text' must be a text");
+    CHECK(refusal("{\"do\":3}") == "'do' must be a string");
+    CHECK(refusal("{\"do\":\"eval\",\"text\":{}}") == "'text' must be a string");
     CHECK(refusal("{\"do\":\"eval\",\"id\":\"1\"}") == "'id' must be a whole number");
     CHECK(refusal("{\"do\":\"eval\",\"id\":1.5}") == "'id' must be a whole number");
     CHECK(refusal("{\"do\":\"eval\",\"id\":18446744073709551615}") == "'id' must be a whole number");

@@ -75,7 +75,8 @@ TEST_CASE("pause, run and speed control the clock", "[console][session]") {
     SessionOptions batch;
     batch.batch = true;
     SessionRig other(counter_system, {{"counter", counter_behavior}}, batch);
-    CHECK(other.type("run()") == "! run: how long? Time moves only by step(n) and run(seconds) here");
+    CHECK(other.type("run()") ==
+          "! run: expected seconds, as in run(1): time moves only by step(n) and run(seconds) here");
 }
 
 TEST_CASE("exit is the same as quit, with or without brackets", "[console][session]") {
@@ -202,8 +203,9 @@ TEST_CASE("a port that another actor holds is refused, and can be taken over", "
     REQUIRE(it.live->act(Hold{"controller.out", Velocity2D{.vx = 0.1}}, tablet));
     CHECK_THAT(it.type("controller.out"), Contains("held by browser tablet"));
     CHECK(it.type("controller.out.holder") == "\"browser tablet\"");
-    CHECK(it.type("hold(controller.out, {})") ==
-          "! hold: controller.out is held by another (browser tablet): hold(port, value, { take = true }) takes it");
+    CHECK(
+        it.type("hold(controller.out, {})") ==
+        "! hold: controller.out is held by another user (browser tablet): hold(port, value, { take = true }) takes it");
     CHECK(it.type("hold(controller.out, {}, { take = 1 })") ==
           "! hold: controller.out: option 'take' expected true or false, got number");
     CHECK(it.type("hold(controller.out, {}, { tak = true })") ==
@@ -226,7 +228,7 @@ TEST_CASE("driving ends when another actor takes the port", "[console][session][
     it.session->key(Key::up);
     it.turn();
     CHECK(it.shown ==
-          "driving has ended: stick.stick is held by another (joystick): hold(port, value, { take = true }) "
+          "driving has ended: stick.stick is held by another user (joystick): hold(port, value, { take = true }) "
           "takes it");
     CHECK_FALSE(it.keys);
 }

@@ -31,7 +31,7 @@ TEST_CASE("the console reports why it can't explain a component, or that time is
     it.type("restart()");
     it.shown.clear();
     it.turn();
-    CHECK(it.shown == "controller began again: not explained");
+    CHECK(it.shown == "controller was replaced by a restart or a seek: not explained");
 }
 
 TEST_CASE("what robots and devices cost a tick is measured as well", "[console][profile]") {

@@ -326,7 +326,8 @@ TEST_CASE("values of another host are read-only copies", "[console][network]") {
                  "network { name = 'ev3' }\nbehavior 'vehicle' { script = 'it', sets = { careful = {} } }\n");
     it.network->system = ev3.live.get();
     const std::string says =
-        "! can't set 'hosts.ev3.vehicle.config.gains[1]': 'hosts.ev3.vehicle.config.gains' is a copy: write all of it, "
+        "! can't set 'hosts.ev3.vehicle.config.gains[1]': 'hosts.ev3.vehicle.config.gains' is a copy: write the whole "
+        "value: "
         "hosts.ev3.vehicle.config.gains = { ... }";
     CHECK(it.type("hosts.ev3.vehicle.config.gains[1]") == "1.5");
     CHECK(it.type("hosts.ev3.vehicle.config.gains[1] = 3") == says);

@@ -44,7 +44,7 @@ TEST_CASE("new reports the error of a wrong request", "[console][new]") {
         it.type("new 'x' { input = {} }") ==
         "! new: there is no field 'input' (did you mean 'inputs'?); known are inputs, outputs, params, callbacks, doc");
     CHECK(it.type("new 'x' { inputs = 'light' }") ==
-          "! new: inputs: expected a list of texts, as in { \"distance:TimedShortSeq\" }");
+          "! new: inputs: expected a list of strings, as in { \"distance:TimedShortSeq\" }");
     CHECK(it.type("new 'taken' {}") == "! new: behaviors/taken.lua is there already");
     SessionRig without;
     CHECK(without.type("new 'x' {}") == "! new: this program can't write files: use `nezumi run`");

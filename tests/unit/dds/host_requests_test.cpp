@@ -82,9 +82,9 @@ TEST_CASE("read-only hosts can see components but change nothing", "[dds][networ
     HostRig ev3(room, "ev3", false), pi(room, "pi");
     pass(room, 3, ev3, pi);
     CHECK(looked(pi.ask(question(What::look, "status"), ev3)) == Value{"ACTIVE"});
-    CHECK(text(pi.ask(question(What::deactivate), ev3)).find("! host ev3: others may only look") == 0);
+    CHECK(text(pi.ask(question(What::deactivate), ev3)).find("! host ev3: other hosts can only read") == 0);
     CHECK(text(pi.ask(question(What::connect, "target", one(std::string("pi/part.speed"))), ev3))
-              .find("! host ev3: others may only look") == 0);
+              .find("! host ev3: other hosts can only read") == 0);
     CHECK(ev3.part->state() == LifeState::active);
 }
 

@@ -32,7 +32,7 @@ TEST_CASE("a port of another host is named host/name.port", "[dds][system_file][
     REQUIRE(spec.connections.size() == 1);
     CHECK(spec.connections[0].from == "ev3/vehicle.current_vel");
     CHECK(system_error("connect('ev3/vehicle.out', 'mouse.in')") ==
-          "s.lua:1: connect: ev3/vehicle.out: a port of another host needs the word network { name = ... }");
+          "s.lua:1: connect: ev3/vehicle.out: a port of another host needs network { name = ... } in the system file");
     CHECK(system_error("network { name = 'a' }\nconnect('b/x.out', 'c/y.in')") ==
           "s.lua:2: connect: b/x.out: both ends are on other hosts: one of these connects them");
     CHECK(system_error("network { name = 'a' }\nconnect('a/x.out', 'y.in')") ==

@@ -189,7 +189,8 @@ TEST_CASE("an impossible topic of a node is refused with its name", "[dds][ros]"
     CHECK(NodeRig(spec_of({topic}, {})).refusal ==
           "s.lua:3:5: ros: part.sped: part has no port 'sped' (did you mean 'speed'?)");
     CHECK(NodeRig(spec_of({{"part.target", "/a"}}, {})).refusal == "ros: part.target: an in-port can't be published");
-    CHECK(NodeRig(spec_of({}, {{"part.speed", "/a"}})).refusal == "ros: /a: an out-port takes nothing from a topic");
+    CHECK(NodeRig(spec_of({}, {{"part.speed", "/a"}})).refusal ==
+          "ros: /a: an out-port can't receive messages from a topic");
     CHECK(NodeRig(spec_of({{"part.speed", "/a"}, {"part.count", "/a"}}, {})).refusal ==
           "ros: part.count: the topic /a exists already");
 }

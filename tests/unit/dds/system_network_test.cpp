@@ -154,7 +154,7 @@ TEST_CASE("read-only hosts can read but not write", "[dds][network]") {
     pass(room, 2, ev3, pi);
     CHECK(pi.part->numbers == std::vector<std::int32_t>{5});
     CHECK(ev3.part->targets.empty());
-    CHECK(pi.told("host ev3 refuses: others may only look"));
+    CHECK(pi.told("host ev3 refuses: other hosts can only read"));
     CHECK(pi.connections() == Lines{"ev3/part.count > part.number"});
 }
 
@@ -239,7 +239,7 @@ TEST_CASE("a hold on another host's in-port is refused", "[dds][network]") {
     const Actor user{Actor::Kind::console};
     const Velocity2D fast{.vx = 0.2};
     const std::string why =
-        "ev3/part.target takes its messages on host 'ev3': do it there, or to the out-port here that "
+        "ev3/part.target gets its messages on host 'ev3': do this there, or with the out-port here that "
         "it is connected to";
     for (const Act& each : {Act{Hold{.port = "ev3/part.target", .value = fast}}, Act{Inject{"ev3/part.target", fast}},
                             Act{Drop{"ev3/part.target"}}, Act{Freeze{"ev3/part.target"}}}) {
@@ -266,5 +266,5 @@ TEST_CASE("a connection to another host needs a network", "[dds][network]") {
     System system({}, nullptr);
     REQUIRE(system.add(std::make_unique<Part>("part")));
     CHECK(system.connect("ev3/part.speed", "part.target").error().message ==
-          "ev3/part.speed is on another host: that needs the word network in the system's file");
+          "ev3/part.speed is on another host: add network { name = ... } to the system file");
 }

@@ -30,5 +30,5 @@ TEST_CASE("ports of other hosts and other programs can't be connected without th
     CHECK(refusal_of(mouse + "connect('rtm:Out0.out', 'mouse.target_velocity_in')") ==
           "connect: expected \"name.port\", got 'rtm:Out0.out'");
     CHECK(refusal_of(mouse + "connect('ev3/c.out', 'mouse.target_velocity_in')") ==
-          "ev3/c.out is on another host: that needs the word network in the system's file");
+          "ev3/c.out is on another host: add network { name = ... } to the system file");
 }

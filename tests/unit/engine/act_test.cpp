@@ -94,7 +94,7 @@ TEST_CASE("a hold belongs to its actor until another actor takes it", "[engine][
     REQUIRE(it.system.holder("mouse.velocity_in") != nullptr);
     CHECK(*it.system.holder("mouse.velocity_in") == console);
     const std::string refused =
-        "mouse.velocity_in is held by another (console): hold(port, value, { take = true }) takes it";
+        "mouse.velocity_in is held by another user (console): hold(port, value, { take = true }) takes it";
     CHECK(error_of(it.system, Driving::hold(0.2), tablet) == refused);
     CHECK(error_of(it.system, Release{"mouse.velocity_in"}, tablet) == refused);
     CHECK(error_of(it.system, Drop{"mouse.velocity_in"}, tablet) == refused);
@@ -138,7 +138,7 @@ TEST_CASE("an emergency stop brakes as hard as it can, then takes the motors' po
 
 TEST_CASE("rearm needs standstill, and a robot obeys only messages that come after it", "[engine][act][safety]") {
     Driving it;
-    CHECK(error_of(it.system, Rearm{}) == "nothing is stopped: rearm() follows stop()");
+    CHECK(error_of(it.system, Rearm{}) == "there is no emergency stop: rearm() works only after stop()");
     REQUIRE(error_of(it.system, Stop{}).empty());
     it.move();
     CHECK(error_of(it.system, Rearm{}) == "mouse still moves, at 0.100 m/s and 0.000 rad/s: rearm() needs standstill");

@@ -270,13 +270,13 @@ TEST_CASE("an error has the byte, the field, the expected and the found value", 
     CHECK(error_of<bool>("02") == "byte 0: expected a boolean (0 or 1), got 2");
     CHECK(error_of<std::vector<bool>>("02 00 00 00 01 ff") == "byte 5: expected a boolean (0 or 1), got 255");
     CHECK(error_of<std::string>("00 00 00 00") ==
-          "byte 0: expected a text's length of 1 or more (it counts the final 0), got 0");
-    CHECK(error_of<std::string>("02 00 00 00 61 62") == "byte 5: expected a text's final 0, got 98");
+          "byte 0: expected a string length of 1 or more (it includes the final 0), got 0");
+    CHECK(error_of<std::string>("02 00 00 00 61 62") == "byte 5: expected the final 0 of a string, got 98");
     CHECK(error_of<std::string>("03 00 00 00 61 00") ==
           "byte 0: expected 3 elements of at least 1 bytes, 2 bytes are left");
     CHECK(error_of<std::int16_t>("01 00 00") == "byte 2: expected the end, got 1 more bytes");
     CHECK(error_of<CameraImage>("01 00 01 00 08 00 00 00 01 00 00 00 01") ==
-          "byte 12, field 'format': expected a text's final 0, got 1");
+          "byte 12, field 'format': expected the final 0 of a string, got 1");
     // The padding before a number may be missing as well.
     CHECK(error_of<std::vector<double>>("01 00 00 00 00 00 00 00 00 00 00 00") ==
           "byte 8: expected 8 bytes, 4 are left");

@@ -69,7 +69,7 @@ TEST_CASE("a maze of 16 x 16 cells is 256 bytes, columns first", "[engine][maze_
     CHECK(error_of(wrong) == "m.txt: cell 3 7 has a wall in the north, which cell 3 8 contradicts");
     CHECK(error_of(std::string(255, '\1')) ==
           "m.txt: expected a drawing of a maze, or a byte for each cell, as in a .maz file of 256 bytes, got 255 bytes "
-          "that are no text");
+          "that are not text");
     CHECK(maze_of(std::string(1, '\x0f')).columns() == 1);
     CHECK(write_maze(Maze(4, 4, false), MazeFormat::maz).error().message ==
           "a .maz file holds 16 x 16 cells, and this maze has 4 x 4: write .txt, .map or .num");
@@ -103,7 +103,7 @@ TEST_CASE("a file that is not a maze is refused in one line", "[engine][maze_fil
     CHECK(error_of("hello\n") ==
           "m.txt: expected a drawing of a maze, whose rows begin with a post as in \"o---o\" or with \"|\"");
     CHECK(error_of("title\no---o---o\n|    -- |\no---o---o\n") ==
-          "m.txt:3: expected \"   \" from sign 6 on, got \"-- \"");
+          "m.txt:3: expected \"   \" from character 6 on, got \"-- \"");
     CHECK(error_of("o---o---o\n|       |\n") ==
           "m.txt: expected 2 rows for each cell and one more, for 1 to 64 cells, got 2 rows");
 }

@@ -78,7 +78,7 @@ TEST_CASE("the drawings that contests exchange have posts o, four characters a c
     }
     std::vector<std::string> wrong = contest;
     wrong[3] = "| # |   |";
-    CHECK(problem_of(wrong) == "4 expected \"   \" from sign 2 on, got \" # \"");
+    CHECK(problem_of(wrong) == "4 expected \"   \" from character 2 on, got \" # \"");
     wrong = contest;
     wrong[0] = "o---o---";
     CHECK(problem_of(wrong) == "1 expected 4 characters for each cell and one more, for 1 to 64 cells, got 8");
@@ -167,8 +167,8 @@ TEST_CASE("an error in the drawing of a maze has its row", "[engine][maze]") {
     CHECK(problem_of({"+--", "|  ", "+--"}) ==
           "1 expected 3 characters for each cell and one more, for 1 to 64 cells, got 3");
     CHECK(problem_of({"+--+", "|   |", "+--+"}) == "2 expected 4 characters, as in the first row, got 5");
-    CHECK(problem_of({"+--+", "|  |", "+- +"}) == "3 expected \"--\" or blanks from sign 2 on, got \"- \"");
-    CHECK(problem_of({"+--+", "|- |", "+--+"}) == "2 expected \"  \" from sign 2 on, got \"- \"");
-    CHECK(problem_of({"+--o", "|  |", "+--+"}) == "1 expected \"+\" or blanks from sign 4 on, got \"o\"");
-    CHECK(problem_of({"+--+", "I  |", "+--+"}) == "2 expected \"|\" or blanks from sign 1 on, got \"I\"");
+    CHECK(problem_of({"+--+", "|  |", "+- +"}) == "3 expected \"--\" or blanks from character 2 on, got \"- \"");
+    CHECK(problem_of({"+--+", "|- |", "+--+"}) == "2 expected \"  \" from character 2 on, got \"- \"");
+    CHECK(problem_of({"+--o", "|  |", "+--+"}) == "1 expected \"+\" or blanks from character 4 on, got \"o\"");
+    CHECK(problem_of({"+--+", "I  |", "+--+"}) == "2 expected \"|\" or blanks from character 1 on, got \"I\"");
 }

@@ -133,7 +133,7 @@ TEST_CASE("an error in the YAML file of a map has the line and the expected valu
     CHECK(facts_error("negate: maybe\n") == "map.yaml:1: 'negate': expected 0 or 1, got 'maybe'");
     CHECK(facts_error("mode: grey\n") == "map.yaml:1: 'mode': expected trinary, scale or raw, got 'grey'");
     CHECK(facts_error("image: [a, b]\n") == "map.yaml:1: 'image': expected the name of a picture's file, got '[a, b]'");
-    CHECK_THAT(facts_error("image: m.pgm\norigin: [0, 0\n"), Catch::Contains("is no YAML: "));
+    CHECK_THAT(facts_error("image: m.pgm\norigin: [0, 0\n"), Catch::Contains("is not YAML: "));
     CHECK(facts_error("image: \"\\\x01\"\n").find('\x01') ==
           std::string::npos);  // what YAML's reader quotes is visible
     CHECK(facts_error("occupied_thresh: 65\n") ==
@@ -188,10 +188,10 @@ TEST_CASE("a map's picture may be an ASCII PGM, and of any white", "[engine][map
 
 TEST_CASE("an error in the picture of a map has the reason", "[engine][map]") {
     const std::string none = "OpenCV can't read its format (PNG, JPEG, BMP, TIFF, WebP, PPM and others are possible)";
-    CHECK(picture_error("") == "map.pgm: is no map: it is empty");
+    CHECK(picture_error("") == "map.pgm: is not a map: it is empty");
     for (const std::string bytes : {"P5\n1", "P5 # no end", "P5\n2 2\n255\nabc", "P7\n1 1\n255\n0"}) {
         INFO(bytes);
-        CHECK(picture_error(bytes) == "map.pgm: is no map: " + none);
+        CHECK(picture_error(bytes) == "map.pgm: is not a map: " + none);
     }
-    CHECK(picture_error("P5\n9000000000000000000 9\n255\n").find("map.pgm: is no map: ") == 0);
+    CHECK(picture_error("P5\n9000000000000000000 9\n255\n").find("map.pgm: is not a map: ") == 0);
 }

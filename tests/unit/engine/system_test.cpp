@@ -130,10 +130,10 @@ TEST_CASE("a connection is refused with both types and the nearest name", "[engi
           "controller.speed (TimedVelocity2D) is an out-port");
     for (const char* path : {"controller", ".out", "controller.", ""}) {
         CHECK(connect(path, "mouse.velocity_in") ==
-              "'" + std::string(path) + "' names no port: expected \"name.port\"");
+              "'" + std::string(path) + "' is not a port: expected \"name.port\"");
     }
     // Names come from journals and consoles too: a message stays one line that a terminal can show.
-    CHECK(connect("con\nsole", "mouse.velocity_in") == "'con\\x0asole' names no port: expected \"name.port\"");
+    CHECK(connect("con\nsole", "mouse.velocity_in") == "'con\\x0asole' is not a port: expected \"name.port\"");
     CHECK(connect("a\x1b[2J.out", "mouse.velocity_in") == "'a\\x1b[2J.out': there is no component 'a\\x1b[2J'");
     CHECK(connect("controller.\n", "mouse.velocity_in") ==
           "controller has no out-port '\\x0a'; it has out, speed, tone");

@@ -115,7 +115,7 @@ TEST_CASE("a port that is not followed stores no messages", "[engine][trace]") {
 TEST_CASE("a name that can't be followed is refused, and the error suggests the nearest name", "[engine][trace]") {
     Traced it;
     REQUIRE(it.add("it").parameters().declare({.name = "speed_x", .initial = 0.5}));
-    CHECK(it.why_not("out") == "'out' names no port: expected \"name.port\"");
+    CHECK(it.why_not("out") == "'out' is not a port: expected \"name.port\"");
     CHECK(it.why_not("itt.out") == "'itt.out': there is no component 'itt' (did you mean 'it'?)");
     CHECK(it.why_not("it.speeed") == "it has no port 'speeed' (did you mean 'speed'?)");
     CHECK(it.why_not("it.confg") == "it has no port 'confg' (did you mean 'config'?)");

@@ -68,7 +68,9 @@ TEST_CASE("drives that do not tell the wheels are refused", "[engine][calibratio
 TEST_CASE("a final position that was measured wrongly is reported", "[engine][calibration]") {
     std::vector<MeasuredDrive> drives{line(), square(1), square(-1)};
     drives[0].end = {98, 0};  // in centimetres
-    CHECK(fit_wheels(drives, believed).error().message.starts_with("the wheels would be a quarter off"));
+    CHECK(fit_wheels(drives, believed)
+              .error()
+              .message.starts_with("the result differs from the model by more than a quarter"));
     drives = {line(), square(1), square(-1)};
     drives[1].end.x += 0.5;
     const auto fit = fit_wheels(drives, believed);

@@ -193,7 +193,7 @@ TEST_CASE("an interrupted calibration leaves the robot standing", "[hw][calibrat
     int ticks = 0;
     const auto gone = go(**guided, 1, {}, [&] { end = ++ticks > 50 ? 1 : 0; });
     REQUIRE_FALSE(gone);
-    CHECK(gone.error().message == "interrupted: the robot stands");
+    CHECK(gone.error().message == "interrupted: the robot has stopped");
     CHECK((*guided)->robot().stands());
     CHECK(body->pose().position.x < 0.3);
 }

@@ -135,7 +135,7 @@ TEST_CASE("a GPIO device that can't be used is refused by one line", "[hw][wire]
     }
     SECTION("with another line among the safe ones") {
         device = "outputs = { 23 }, safe = '23=0 6=1'";
-        expected = "robot_model: device 'pins': safe: '6=1': 6 is none of outputs (23)";
+        expected = "robot_model: device 'pins': safe: '6=1': 6 is not one of outputs (23)";
     }
     SECTION("with a line twice") {
         device = "outputs = { 23 }, inputs = { 23 }, safe = '23=0'";
@@ -165,7 +165,8 @@ TEST_CASE("a message for a line that is not an output is dropped and reported", 
     run.write_driver(
         "local pins_out = output('pins_out', 'TimedString')\nfunction on_execute() pins_out:write('24=1') end\n");
     run.start();
-    CHECK(run.program->wait_for_error("rover_pins: a message was dropped: '24=1': 24 is none of outputs (23, 5)", 20));
+    CHECK(
+        run.program->wait_for_error("rover_pins: a message was dropped: '24=1': 24 is not one of outputs (23, 5)", 20));
 }
 
 TEST_CASE("a PWM channel is driven by one program only", "[hw][wire][run][wallclock]") {
@@ -191,8 +192,8 @@ TEST_CASE("messages of GPIO are words with a line and its level", "[hw][wire]") 
     CHECK((*both)[1].value == 0.25);
     CHECK(read("23").error() == "'23': expected LINE=LEVEL, such as 23=1, or pwmCHANNEL=DUTY, such as pwm0=0.25");
     CHECK(read("x=1").error() == "'x=1': expected LINE=LEVEL, such as 23=1, or pwmCHANNEL=DUTY, such as pwm0=0.25");
-    CHECK(read("22=1").error() == "'22=1': 22 is none of outputs (23, 24)");
-    CHECK(read("pwm1=1").error() == "'pwm1=1': 1 is none of pwm_channels (0)");
+    CHECK(read("22=1").error() == "'22=1': 22 is not one of outputs (23, 24)");
+    CHECK(read("pwm1=1").error() == "'pwm1=1': 1 is not one of pwm_channels (0)");
     CHECK(read("pwm0=1.5").error() == "'pwm0=1.5': expected a duty from 0 to 1");
     CHECK(read("pwm0=nan").error() == "'pwm0=nan': expected a duty from 0 to 1");
     CHECK(read("24=2").error() == "'24=2': expected the level 0 or 1");

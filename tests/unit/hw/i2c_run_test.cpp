@@ -188,12 +188,12 @@ TEST_CASE("a device on I2C that can't be used is refused by one line", "[hw][wir
     SECTION("another device of the machine") {
         std::filesystem::create_symlink("/dev/null", run.folder.path("dev/null"));
         device = "path = '/dev/null', address = 0x60, safe = '\\xFD\\x10'";
-        expected = "/null: it is no I2C bus: expected a device such as /dev/i2c-1";
+        expected = "/null: it is not an I2C bus: expected a device such as /dev/i2c-1";
     }
     SECTION("a plain file of the machine") {
         run.folder.write("precious.txt", "precious");
         device = "path = '" + run.folder.path("precious.txt").string() + "', address = 0x60, safe = '\\xFD\\x10'";
-        expected = "precious.txt: it is no I2C bus";
+        expected = "precious.txt: it is not an I2C bus";
     }
     run.write_robot("hat = i2c { " + device + " }");
     const std::string refusal = run.refusal();

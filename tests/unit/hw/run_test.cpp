@@ -108,7 +108,7 @@ TEST_CASE("SIGTERM stops a guided robot at once", "[hw][run][fakes][safety][wall
     REQUIRE(FakeMouse::wait_until([&] { return !fake.moves(); }, 3));
     CHECK(fake.motion().still_since - begin < 0.05);
     CHECK(program.wait() == 2);
-    CHECK(program.error.ends_with("interrupted: the robot stands\n"));
+    CHECK(program.error.ends_with("interrupted: the robot has stopped\n"));
     CHECK_FALSE(fake.motion().power);
 }
 

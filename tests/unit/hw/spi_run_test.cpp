@@ -101,11 +101,11 @@ TEST_CASE("a file that is not an SPI device is refused by one line", "[hw][wire]
     SECTION("a node of another kind") {
         run.board->add("i2c-1");
         device += ", path = '/dev/i2c-1'";
-        expected = "i2c-1: it is no SPI device: expected a device such as /dev/spidev0.0";
+        expected = "i2c-1: it is not an SPI device: expected a device such as /dev/spidev0.0";
     }
     SECTION("without a frame's bytes") {
         device += ", frames = { '' }";
-        expected = "robot_model: device 'motor': frames: expected the bytes that are sent, got an empty text";
+        expected = "robot_model: device 'motor': frames: expected the bytes that are sent, got an empty string";
     }
     run.write_robot("motor = spi { " + device + " }");
     const std::string refusal = run.refusal();

@@ -168,7 +168,7 @@ TEST_CASE("requests impossible for real robots are refused before anything moves
     CHECK(repeat.error == "nezumi: --hw: two runs of a real robot always differ: leave out --repeat\n");
     const Outcome golden = fake.test(scenario("s:load 'ahead.lua' s:golden('x.csv', 'mouse.current_pose_out')"), {});
     CHECK(golden.status == 2);
-    CHECK(has(golden.out, "'x.csv': two runs of a real robot always differ: leave this to simulation"));
+    CHECK(has(golden.out, "'x.csv': two runs of a real robot always differ: use this only in simulation"));
     const Outcome second = fake.test(scenario("s:load 'ahead.lua' s:load 'ahead.lua'"), {});
     CHECK(second.status == 2);
     CHECK(has(second.out, "with --hw a scenario can have only one world: remove the second world"));
@@ -229,5 +229,5 @@ TEST_CASE("the seminar's scenarios of both robots pass on the fake ones", "[.sem
     test("joystick_test.lua", "one joystick drives both robots at once");
     test("joystick_test.lua", "a joystick that falls silent stops both robots");
     test("ev3_test.lua", "the mouse goes as far as the EV3 that a hand rolls, and turns as much");
-    test("speech_test.lua", "several texts of one moment are all said, in order");
+    test("speech_test.lua", "several texts of one moment are all spoken, in order");
 }

@@ -143,7 +143,7 @@ TEST_CASE("a robot with a device that can't be opened or stopped is refused with
     SECTION("no serial line") {
         device = "path = '/dev/null', ends = '\\n', safe = 'v 0 0\\n'";
         std::filesystem::create_symlink("/dev/null", run.folder.path("dev/null"));
-        expected = "/null: it is no serial line: expected a device such as /dev/ttyACM0";
+        expected = "/null: it is not a serial line: expected a device such as /dev/ttyACM0";
     }
     SECTION("two ways to cut messages") {
         device += ", cobs = true";
@@ -186,7 +186,7 @@ TEST_CASE("a plain file of the machine is never opened as a serial line", "[hw][
                          file + "' } } } }");
     run.start();
     CHECK(run.program->wait() == 2);
-    CHECK(run.program->error.find("precious.txt: it is no serial line") != std::string::npos);
+    CHECK(run.program->error.find("precious.txt: it is not a serial line") != std::string::npos);
     std::ifstream stream(file);
     std::string text;
     std::getline(stream, text);

@@ -104,7 +104,8 @@ TEST_CASE("pause, emergency stop and reload of a driver stop its rover, and it d
     const auto refused = run_nezumi({"attach", "--eval", "reload()"}, run.folder.path("").string());
     INFO(refused.out << refused.error);
     CHECK((refused.out + refused.error)
-              .find("rover_driver drives 'rover', which moves: reload it while the robot stands") != std::string::npos);
+              .find("rover_driver drives 'rover', which moves: reload it when the robot stands still") !=
+          std::string::npos);
     CHECK(run.rover->speed() > 0.19);
     CHECK(run.rover->torn_lines().empty());
 }

@@ -84,7 +84,7 @@ TEST_CASE("a journal whose lines are not those of a run is refused at the line",
     CHECK(it.error_with(3, R"({"at":[1,6,1],"end":"soon","hash":"0000000000000000"})") ==
           "J:3: 'end' must be duration, stopped or error");
     CHECK(it.error_with(3, R"({"at":[2,0,1],"end":"stopped","hash":"0000000000000000"})") ==
-          "J:3: tick 0 of start 2 never comes: the run is at tick 3 of start 1");
+          "J:3: tick 0 of start 2 is never reached: the run is at tick 3 of start 1");
     CHECK(it.error_with(1, R"({"journal":1,"version":"test"})") ==
           "J:1: expected system, working_folder, installed, seed, seed_wins and files");
     CHECK(it.error_with(1, R"({"journal":1,"version":"test","system":"s","working_folder":"w","seed":0,)"

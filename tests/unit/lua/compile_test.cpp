@@ -37,8 +37,8 @@ TEST_CASE("a text with a syntax error is refused with its line", "[lua][compile]
           "a.lua:2: <goto on> jumps into the scope of local 'x'");
     CHECK(error_of("if x then\n") == "a.lua:2: 'end' expected (to close 'if' at line 1) near <eof>");
     CHECK(error_of("local x <const> = 1 x = 2") == "a.lua:1: attempt to assign to const variable 'x'");
-    CHECK(error_of("\x1bLua") == "a.lua:1: this is bytecode: only Lua source text is run");
-    CHECK(error_of("\xEF\xBB\xBF\x1bLua") == "a.lua:1: this is bytecode: only Lua source text is run");
+    CHECK(error_of("\x1bLua") == "a.lua:1: this is bytecode: only Lua source text can run");
+    CHECK(error_of("\xEF\xBB\xBF\x1bLua") == "a.lua:1: this is bytecode: only Lua source text can run");
     for (const char* mark : {"\xFF\xFE", "\xFE\xFF"})
         CHECK(error_of(mark + std::string("x\0 =", 4)) == "a.lua:1: this is UTF-16: save the file as UTF-8");
     CHECK(error_of("#!\n\x1bLua").find("a.lua:2: unexpected symbol") == 0);

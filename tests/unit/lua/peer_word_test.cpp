@@ -57,7 +57,7 @@ public:
 protected:
     void complete(RadioSpec& given, Fields& fields, const PeerCall& call) const override {
         if (given.band > 1000) fields.check().wrong({"band"}, "is too high");
-        if (call.is_taken("radio")) fields.check().wrong_at({}, "the name is taken");
+        if (call.is_taken("radio")) fields.check().wrong_at({}, "the name is already used");
     }
     std::string text_of(const RadioSpec& given) const override { return "radio " + write_record(given) + "\n"; }
 };

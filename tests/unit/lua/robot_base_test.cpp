@@ -164,7 +164,7 @@ TEST_CASE("a robot file can't build on itself", "[lua][robot_file]") {
     CHECK(none.error().message.find("robot_model: field 'base': ") == 0);
     CHECK(none.error().message.find("plan") != std::string::npos);
     CHECK(robots.read("return robot_model { base = 5 }").error().message ==
-          "robot_model: field 'base' expected a text, got number");
+          "robot_model: field 'base' expected a string, got number");
 }
 
 TEST_CASE("a robot of a system can change any field of its model", "[lua][system_file]") {

@@ -279,7 +279,7 @@ TEST_CASE("a sensor of neighbours has a port of its own type, and what a robot s
           "port 'p': 'near' sees neighbours: its type is NeighbourSeq, not TimedDoubleSeq");
     CHECK(error("p = { type = 'NeighbourSeq', from = 'eye' }") ==
           "port 'p': a NeighbourSeq carries neighbours, and 'eye' is another kind of sensor");
-    CHECK(error("p = { type = 'NeighbourSeq', from = { 'near', 'far' } }") == "port 'p': 'near' has a port of its own");
+    CHECK(error("p = { type = 'NeighbourSeq', from = { 'near', 'far' } }") == "port 'p': 'near' needs its own port");
     CHECK(error("p = { type = 'NeighbourSeq', from = 'near', quantity = 'distance' }") ==
           "port 'p': 'near' has no `quantity`");
     CHECK(error("p = { type = 'TimedLongSeq', to = 'say' }") ==
@@ -301,7 +301,7 @@ TEST_CASE("an imu's ports carry its rates, its accelerations or both", "[lua][ro
           "r.lua:2:49: robot_model: port 'p': 'imu' has several values, and a TimedDouble carries one");
     CHECK(robot_error(with("sensors = { imu = { kind = 'imu' }, g = { kind = 'gyro' } }, ports = { p = { type = "
                            "'TimedDoubleSeq', from = { 'imu', 'g' } } }")) ==
-          "r.lua:2:72: robot_model: port 'p': 'imu' has several values: it has a port of its own");
+          "r.lua:2:72: robot_model: port 'p': 'imu' has several values: it needs its own port");
     CHECK(robot_error(with(
               "sensors = { g = { kind = 'gyro' } }, ports = { p = { type = 'TimedDouble', from = 'g', quantity = "
               "'acceleration' } }")) == "r.lua:2:48: robot_model: port 'p': 'g' is not an imu: it has no acceleration");

@@ -74,7 +74,7 @@ TEST_CASE("words extend a system that was read before", "[lua][system_words]") {
     SystemWords more(methods.project, {}, methods.words.spec());
     methods.host.words = &more;
     CHECK(methods.run("s:behavior('mouse', { script = 'robot_controller' })") ==
-          "t.lua:1: behavior 'mouse': the name is taken by the robot of t.lua:1");
+          "t.lua:1: behavior 'mouse': the name is already used by the robot at t.lua:1");
     CHECK(methods.run("s:behavior('c', { script = 'robot_controller' })") == "");
     CHECK(more.spec().entries.size() == 2);
 }

@@ -108,7 +108,7 @@ TEST_CASE("defaults are read as several languages write them", "[openrtm][profil
     CHECK(said(mixer, "enabled") == "true text");
     CHECK(said(mixer, "names") == "{ \"left\", \"right\" } text");
     CHECK(said(mixer, "mode") == "\"fast\" text");
-    CHECK(remarks(mixer, "parameter 'mode': its type 'Mode' is unknown and becomes a text"));
+    CHECK(remarks(mixer, "parameter 'mode': its type 'Mode' is unknown, so it becomes a string"));
 }
 
 TEST_CASE("constraints are bounds and choices; what can't be said here is a remark", "[openrtm][profile]") {
@@ -159,7 +159,7 @@ TEST_CASE("a file that is not a profile is refused in one line", "[openrtm][prof
     CHECK(reading_error("<!DOCTYPE a [<!ENTITY b \"c\">]><RtcProfile/>") ==
           "RTC.xml: has a DOCTYPE, which a profile can't have: remove it");
     CHECK(reading_error("<RtcProfile><BasicInfo name=\"\x93\xfa\x96\x7b\"/></RtcProfile>") ==
-          "RTC.xml: is not a text in UTF-8: save it as UTF-8");
+          "RTC.xml: is not UTF-8 text: save it as UTF-8");
     std::string deep;
     for (int i = 0; i < 100'000; ++i) deep += "<a>";
     for (int i = 0; i < 100'000; ++i) deep += "</a>";

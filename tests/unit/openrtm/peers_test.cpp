@@ -83,7 +83,7 @@ TEST_CASE("a console says why the state of an RTC can't change yet", "[openrtm][
     peer->say("busy");
     CHECK(rig.answer(*peer, "state Peer0", "state") == "state 2");
     CHECK(done(rig, "Peer0", {.what = What::deactivate}) ==
-          "! " + name + ": it executes for long, and may follow later (RTC_ERROR)");
+          "! " + name + ": its execution takes long, so it may follow later (RTC_ERROR)");
     peer->say("idle");
     CHECK(rig.hears(*peer, "deactivated") == "deactivated");
 }
@@ -124,7 +124,7 @@ TEST_CASE("a console ends an RTC, and removes the name of one that is gone", "[o
     CHECK(rig.hears(*peer, "exits") == "exits");
     CHECK(done(rig, "Peer0", {.what = What::forget}) ==
           "! rtm:" + host() +
-              ".host_cxt/Peer0: the RTC still runs, or hangs: only names of RTCs that are gone can be removed");
+              ".host_cxt/Peer0: the RTC still runs, or hangs: only names of RTCs that have ended can be removed");
     killed->kill();
     CHECK(done(rig, "Killed0", {.what = What::forget}).empty());
     CHECK(done(rig, "Killed0", {.what = What::forget}).starts_with("! there is no RTC 'Killed0' in the name service"));
@@ -208,7 +208,7 @@ TEST_CASE("an ambiguous name of two computers is refused with both", "[openrtm][
     REQUIRE(rig.hears(*first, "ready") == "ready");
     REQUIRE(rig.hears(*second, "ready") == "ready");
     CHECK(asked(rig, {.name = "Twin0"}) ==
-          "! 'Twin0' could be rtm:a.host_cxt/Twin0 or rtm:b.host_cxt/Twin0: write which");
+          "! 'Twin0' could be rtm:a.host_cxt/Twin0 or rtm:b.host_cxt/Twin0: write one of them");
     CHECK(asked(rig, {.name = "b.host_cxt/Twin0"}).starts_with("rtm:b.host_cxt/Twin0  Fake, INACTIVE"));
 }
 

@@ -119,7 +119,7 @@ TEST_CASE("the size of an RTC's answer to a connection is limited too", "[openrt
     in->say("boast 65536");
     REQUIRE(rig.answer(*in, "state relay0", "state ") == "state 2");  // so it has begun to
     REQUIRE(rig.live->act(Connect{"relay.out", "rtm:In0.in"}, {Actor::Kind::console}));
-    CHECK(rig.tells("not connected: relay.out to rtm:In0.in: it does not take the connection's type or properties"));
+    CHECK(rig.tells("not connected: relay.out to rtm:In0.in: it does not accept the connection's type or properties"));
 }
 
 TEST_CASE("properties may be in upper or lower case, and the first byte order counts", "[openrtm][wire][wallclock]") {

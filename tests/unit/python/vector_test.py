@@ -131,7 +131,7 @@ class VectorTest(unittest.TestCase):
         envs.reset(seed=1)
         _, rewards, _, _, _ = envs.step([[9, 0], [-9, 0]])
         self.assertEqual(list(rewards), [1.5, 1])
-        self.assertEqual(self.refused(envs.step, [[0, 0], [float("nan"), 0]]), "world 1: action 'speed' is not a number (nan)")
+        self.assertEqual(self.refused(envs.step, [[0, 0], [float("nan"), 0]]), "world 1: action 'speed' is NaN")
 
     def test_without_copies_the_arrays_are_the_shared_memory(self):
         envs = self.vector(2, copy=False)

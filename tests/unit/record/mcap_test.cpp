@@ -141,9 +141,9 @@ TEST_CASE("a damaged MCAP file is refused in one line with the byte", "[record]"
           where + "the record is longer than the file or its chunk");
     CHECK(error_of(with(9 + 24, "\1\2\3\4")) == where + "the chunk's checksum differs: the file is damaged");
     CHECK(error_of(with(9 + 16, std::string("\0\0\0\x40", 4))) == where + "the chunk has more than 256 MB");
-    CHECK(error_of(with(9 + 16, "\1")) == where + "the chunk is no zstd of 1 bytes");
+    CHECK(error_of(with(9 + 16, "\1")) == where + "the chunk is not zstd data of 1 bytes");
     CHECK(error_of(with(9 + 32, "zztd")) == where + "unknown compression 'zztd': expected zstd, lz4 or none");
-    CHECK(error_of(with(9 + 28, "\xff\xff")) == where + "the chunk is not whole");
+    CHECK(error_of(with(9 + 28, "\xff\xff")) == where + "the chunk is incomplete");
     CHECK(error_of(with(0, std::string(1, '\0'))) == where + "there is no record of the kind 0");
 }
 

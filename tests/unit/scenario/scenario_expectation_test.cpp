@@ -24,7 +24,7 @@ TEST_CASE("always fails at the first false sample, and the message has its time"
     Expectation always({.kind = Kind::always, .name = "keeps off"}, 0);
     CHECK(decide(always, 0, 3.11) == Approx(3.12));
     CHECK(always.verdict() == Verdict::broken);
-    CHECK(always.explain() == "always 'keeps off' held until 3.11 s and ceased at 3.12 s");
+    CHECK(always.explain() == "always 'keeps off' held until 3.11 s and failed at 3.12 s");
 
     Expectation at_once({.kind = Kind::always, .name = "keeps off"}, 0);
     CHECK(decide(at_once, 1, 2) == Approx(0.01));

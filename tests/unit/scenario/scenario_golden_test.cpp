@@ -155,7 +155,8 @@ TEST_CASE("a golden belongs to one line of a run, or to several runs with the sa
         "end)\n");
     twice.options.update_goldens = true;
     CHECK(outcome_of(twice.run()) ==
-          "could not run: it_test.lua:4: golden: './it.csv': is the golden of it_test.lua:3 already: choose another "
+          "could not run: it_test.lua:4: golden: './it.csv' is already used by the golden at it_test.lua:3: choose "
+          "another "
           "name");
 
     ScenarioRig both(

@@ -144,7 +144,7 @@ TEST_CASE("folders that are not parts of one session are refused", "[scenario][p
               ": merge parts that the same version of nezumi made from the same files, with the same options");
     const auto twice = find_plan({rig.part(1), rig.part(1) / "." / ""});
     REQUIRE_FALSE(twice);
-    CHECK(describe(twice.error()) == (rig.part(1) / "." / "").string() + ": is given twice: leave one of them out");
+    CHECK(describe(twice.error()) == (rig.part(1) / "." / "").string() + ": is given twice: leave out one of them");
     const auto none = find_plan({rig.folder().path("behaviors")});
     REQUIRE_FALSE(none);
     CHECK(none.error().message == "has no results of nezumi test --shard: expected a folder that it wrote with -o");
@@ -180,7 +180,7 @@ TEST_CASE("a resumed session makes only the missing runs, and reports all", "[sc
     CHECK(end.reports[1].result.printed == std::vector<std::string>{"kept"});
     CHECK(end.reports[2].result.printed.empty());
     CHECK(end.summary.kept == 1);
-    CHECK(rig.said.find("4 runs: 4 passed (seed 124, 1 kept and 3 made: 0.00 s simulated in ") != std::string::npos);
+    CHECK(rig.said.find("4 runs: 4 passed (seed 124, 1 kept and 3 run now: 0.00 s simulated in ") != std::string::npos);
     all = 0;
     CHECK(rig.session().reports.size() == 4);
     CHECK(all == 0);  // nothing was left

@@ -44,7 +44,7 @@ TEST_CASE("a picture whose sizes do not agree is refused in plain words", "[visi
     CHECK(complaint(image(65535, 65535, 24, "rgb8", 3)) ==
           "65535 x 65535 pixels of rgb8 need 12884508675 bytes, got 3");
     CHECK(complaint(image(2, 2, 16, "rgb8", 12)) == "format 'rgb8' has 24 bits per pixel, got bpp = 16");
-    CHECK(complaint(image(2, 2, 16, "", 8)) == "an image without a format must have a bpp of 8 or 24, got 16");
+    CHECK(complaint(image(2, 2, 16, "", 8)) == "a picture without a format must have a bpp of 8 or 24, got 16");
     const std::string known = "gray8, mono8, rgb8, bgr8, 8UC3, rgba8, bgra8, mono16, yuv422_yuy2, yuv422, jpeg, png";
     CHECK(complaint(image(2, 2, 24, "rgb", 12)) ==
           "unknown format 'rgb': expected " + known + " (did you mean 'rgb8'?)");

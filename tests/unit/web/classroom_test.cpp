@@ -46,13 +46,13 @@ TEST_CASE("a name that can't be shown, is empty, too long or taken is refused", 
     const Scratch scratch;
     auto pupils = Pupils::load(scratch.path());
     REQUIRE(pupils);
-    CHECK(why_not(pupils->join("  ")) == "a name is needed");
+    CHECK(why_not(pupils->join("  ")) == "enter a name");
     CHECK(why_not(pupils->join(std::string(121, 'a'))) == "the name is too long");
     for (const char* name : {"a\nb", "a\tb", "a\x1b[31m", "\xff\xfe", "\u202eabc"})
         CHECK(why_not(pupils->join(name)) == "the name has characters that can't be shown");
     CHECK(pupils->join(" Taro "));
     CHECK(why_not(pupils->join("Taro")) ==
-          "this name is taken: use your code to come back, or add a letter to the name");
+          "this name is already used: use your code to come back, or add a letter to the name");
 }
 
 TEST_CASE("a pupil comes back by the code after the class was opened again", "[web][class]") {

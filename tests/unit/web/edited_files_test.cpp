@@ -117,7 +117,7 @@ TEST_CASE("names that lead out of the project, or to hidden or other files, are 
         CHECK_FALSE(project.files.version(name, 1));
     }
     CHECK(EditedFiles::check_name("../x.lua").error().message ==
-          "'../x.lua' is not within the project: a name has no empty part, and none that begins with a dot");
+          "'../x.lua' is not a file name in the project: no part may be empty or begin with a dot");
     CHECK(EditedFiles::check_name("x.sh").error().message ==
           "'x.sh' can't be edited here: a name ends in .lua, .msg, .idl");
     CHECK(EditedFiles::check_name("行動/案内.lua"));

@@ -105,8 +105,8 @@ TEST_CASE("a wrong request of an editor is refused with the reason", "[web][edit
     RawBrowser browser = rig.open();
     const auto text = [&](const Json& message) { return WebRig::answer(browser, message)["text"].get<std::string>(); };
     CHECK(text(edit("burn", 1)) == "'what' must be one of list, read, check, save, versions, version, words");
-    CHECK(text(edit("read", 2)) == "'file' must be a text");
-    CHECK(text(edit("save", 3, {{"file", "x.lua"}, {"text", "x"}})) == "'mark' must be a text");
+    CHECK(text(edit("read", 2)) == "'file' must be a string");
+    CHECK(text(edit("save", 3, {{"file", "x.lua"}, {"text", "x"}})) == "'mark' must be a string");
     CHECK(text(edit("version", 4, {{"file", "x.lua"}, {"number", -1}})) == "'number' must be a whole number from 1");
     CHECK(text(edit("read", 5, {{"file", "nobody.lua"}})) == "nobody.lua: there is no such file");
     CHECK(text({{"do", "test"}, {"what", "fly"}, {"id", 6}}) ==
@@ -134,7 +134,7 @@ TEST_CASE("scenarios run as processes whose report is sent while they run", "[we
           "TAP version 13\nok 1 - tests/a_test.lua: a scenario\n");
     CHECK(Json::parse(browser.next_text("\"done\":true"))["problem"] == "");
     CHECK(test(3, "run", {{"file", "../a_test.lua"}})["ok"] == false);
-    CHECK(test(8, "run", {{"file", "--hw.lua"}})["text"] == "'--hw.lua' would be an option");
+    CHECK(test(8, "run", {{"file", "--hw.lua"}})["text"] == "'--hw.lua' begins with '-': rename it");
     CHECK(test(4, "open", {{"file", "nezumi-test/../../x"}})["text"] ==
           "'nezumi-test/../../x' is not the folder of a failed run");
 

@@ -94,13 +94,13 @@ TEST_CASE("a browser's request about RTCs is refused without RTCs, or with the e
     CHECK(refused({{"what", "activate"}, {"name", "In0"}}) == "this program can't reach RTCs: use `nezumi run`");
     CHECK(refused({{"what", "dance"}, {"name", "In0"}}) ==
           "'what' must be one of activate, deactivate, reset, use, configure, exit, forget, connect, disconnect");
-    CHECK(refused({{"what", "activate"}}) == "'name' must be a text");
-    CHECK(refused({{"what", "activate"}, {"name", ""}}) == "'name' must be a text");
-    CHECK(refused({{"what", "use"}, {"name", "In0"}}) == "'set' must be a text");
-    CHECK(refused({{"what", "connect"}, {"from", "Out0.out"}}) == "'to' must be a text");
-    CHECK(refused({{"what", "configure"}, {"name", "In0"}, {"value", 1}}) == "'parameter' must be a text");
+    CHECK(refused({{"what", "activate"}}) == "'name' must be a string");
+    CHECK(refused({{"what", "activate"}, {"name", ""}}) == "'name' must be a string");
+    CHECK(refused({{"what", "use"}, {"name", "In0"}}) == "'set' must be a string");
+    CHECK(refused({{"what", "connect"}, {"from", "Out0.out"}}) == "'to' must be a string");
+    CHECK(refused({{"what", "configure"}, {"name", "In0"}, {"value", 1}}) == "'parameter' must be a string");
     CHECK(refused({{"what", "configure"}, {"name", "In0"}, {"parameter", "gain"}, {"value", nullptr}}) ==
-          "'value' must be a number, a text, a boolean, or a list of one kind of them");
+          "'value' must be a number, a string, a boolean, or a list of one of these types");
 }
 
 TEST_CASE("a view-only browser asks nothing of RTCs", "[web][peers]") {

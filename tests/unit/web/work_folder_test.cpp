@@ -83,7 +83,8 @@ TEST_CASE("files that a program writes count, and are removed when they are too 
         const auto over = look();
         REQUIRE(over);
         CHECK(over->why ==
-              "it had written 2.0 MB in 3 files, and 1.0 MB in 3 files are allowed; 2 that are no texts were removed");
+              "it had written 2.0 MB in 3 files, and 1.0 MB in 3 files are allowed; files removed because they are not "
+              "text: 2");
         CHECK(over->removed == 2);
         CHECK_FALSE(look());
     }
