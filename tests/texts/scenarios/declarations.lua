@@ -17,7 +17,7 @@ scenario('a [x=2.0]', function() end)  -- error: scenario 'a [x=2.0]': the name 
 
 --- The names of thousands of scenarios are compared in time.
 for i = 1, 10000 do scenario('a' .. i, { sweep = i % 2 == 0 and { x = { 1 } } or nil }, function() end) end
-scenario('a7', function() end)  -- error: scenario 'a7': the name is taken by the scenario of it_test.lua:1
+scenario('a7', function() end)  -- error: scenario 'a7': the name is already used by the scenario at it_test.lua:1
 
 --- The name of a scenario may be like the name of a run.
 scenario('a', { sweep = { x = { 1, 2 }, y = { 'b' } } }, function() end)
