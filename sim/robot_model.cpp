@@ -10,7 +10,7 @@ namespace {
 // The lowest clearance of a hull [m]: a hull on the floor would brake the robot.
 constexpr double least_clearance = 0.004;
 
-// The smallest distance of a skid from the axle [m]: with both skids below the axle a robot would tip over.
+// The smallest horizontal distance of a skid from the axle [m]: with both skids under the axle a robot would tip over.
 constexpr double least_skid = 0.005;
 
 }  // namespace

@@ -23,7 +23,7 @@ constexpr double shortest_period = 0.1;  // [s] of simulated time between two dr
 Expected<double> positive(const Value& value, std::string_view what) {
     const auto number = number_of(value);
     if (!number) return failure(fmt::format("expected {}, got {}", what, kind_of(value)));
-    if (!(*number > 0)) return failure(fmt::format("expected {}, more than 0, got {}", what, *number));
+    if (!(*number > 0)) return failure(fmt::format("expected {} greater than 0, got {}", what, *number));
     return *number;
 }
 

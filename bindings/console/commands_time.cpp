@@ -54,7 +54,7 @@ Expected<CommandEnd> command_run(Session::Parts& parts, const Arguments& argumen
     if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
     const auto seconds = arguments.number(1, "seconds");
     if (!seconds) return Unexpected(seconds.error());
-    if (!(*seconds > 0)) return failure(fmt::format("expected seconds, more than 0, got {}", *seconds));
+    if (!(*seconds > 0)) return failure(fmt::format("expected seconds greater than 0, got {}", *seconds));
     const double rate = parts.live.system().settings().rate;
     const auto checked = check_ticks(std::max(1.0, std::ceil(*seconds * rate - 1e-6)));
     if (!checked) return failure(fmt::format("expected at most {:.0f} seconds, got {}", most_ticks / rate, *seconds));

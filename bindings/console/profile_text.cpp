@@ -55,7 +55,7 @@ std::string cost_table(const std::map<std::string, ExecutionProfile>& behaviors,
     add(behaviors);
     add(natives);
     std::stable_sort(costs.begin(), costs.end(), [](const Cost& a, const Cost& b) { return a.mean > b.mean; });
-    std::string text = fmt::format("{:{}}  executions      median       worst  of a tick", "component", widest);
+    std::string text = fmt::format("{:{}}  executions      median       worst  mean/tick", "component", widest);
     for (const Cost& cost : costs) {
         text += fmt::format("\n{:{}}  {:10}  {:>10}  {:>10}  {:7.2f} %", cost.name, widest, cost.count,
                             text_of_time(cost.median), text_of_time(cost.worst), cost.mean * 1e-9 * rate * 100);

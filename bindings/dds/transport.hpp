@@ -1,5 +1,5 @@
-// The interface for sending bytes between processes and hosts by topics, so that the rest of the room can be tested
-// without a network.
+// The interface for sending bytes between processes and hosts by topics, so that the rest of bindings/dds can be
+// tested without a network.
 #pragma once
 
 #include <cstdint>

@@ -11,10 +11,10 @@
 
 namespace nezumi {
 
-/// A text; one with invalid UTF-8 as its bytes: { "base64": "..." }.
+/// A text as a JSON string. One with invalid UTF-8 is written as its bytes: { "base64": "..." }.
 nlohmann::ordered_json text_to_json(const std::string& text);
 Expected<std::string> text_from_json(const nlohmann::ordered_json& json);
-/// A text as the name of a member; one with invalid UTF-8 as "base64:...".
+/// A text as the name of a member. One with invalid UTF-8 is written as "base64:...".
 std::string text_to_key(const std::string& text);
 Expected<std::string> text_from_key(const std::string& key);
 

@@ -21,7 +21,8 @@ std::optional<Value> zero_of_rtc_type(std::string_view name);
 /// Adds a `Configuration` element.
 void write_parameter(const ParameterSpec& spec, pugi::xml_node configuration_set);
 
-/// A default or a choice as a profile has it: a text that has quotes around it gets others around them.
+/// A default or a choice as a profile has it: a text that begins and ends with quotes gets a second pair,
+/// because readers remove one pair.
 std::string profile_text(const Value& value);
 
 /// Adds a property of OpenRTM's extensions to an element.

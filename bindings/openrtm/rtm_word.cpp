@@ -1,4 +1,4 @@
-// Reads what a system exports to RTCs, checks it, and writes it.
+// The word `rtm` of system files: reads, checks and writes it.
 #include "bindings/openrtm/rtm_word.hpp"
 
 #include <fmt/format.h>

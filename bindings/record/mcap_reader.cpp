@@ -153,7 +153,8 @@ private:
         if (schema != 0) {
             const auto known = schemas_.find(schema);
             if (known == schemas_.end())
-                return wrong(fmt::format("channel '{}' has no schema {}", shown(channel.topic), schema));
+                return wrong(fmt::format("channel '{}' refers to schema {}, which is not before it in the file",
+                                         shown(channel.topic), schema));
             channel.schema = known->second;
         }
         file_.channels[number] = std::move(channel);

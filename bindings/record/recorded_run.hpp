@@ -17,7 +17,7 @@ namespace nezumi::record {
 inline constexpr std::string_view journal_topic = "/nezumi/journal";
 /// The topic of the log, as ROS names it: rcl_interfaces/msg/Log.
 inline constexpr std::string_view log_topic = "/rosout";
-/// The name of a port in the metadata of its channel: "mouse.ir_sensor_out".
+/// The key in the metadata of a channel whose value is the name of the port, such as "mouse.ir_sensor_out".
 inline constexpr std::string_view port_entry = "nezumi_port";
 
 /// "mouse.ir_sensor_out" as a topic: "/mouse/ir_sensor_out".

@@ -173,7 +173,7 @@ Expected<void> ScenarioFile::check_text(std::vector<Error>* errors) {
         scenario.draws = drawing.contain(scenario.place.line);
         if (scenario.search > 0 && scenario.sweep.keys.empty() && !scenario.draws)
             return Unexpected(
-                Error{fmt::format("scenario '{}': option 'search': there is nothing to search: expected a sweep, or "
+                Error{fmt::format("scenario '{}' has the option 'search', but nothing to search: add a sweep, or use "
                                   "s:any",
                                   nezumi::shown(scenario.name)),
                       scenario.place});

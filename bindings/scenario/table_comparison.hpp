@@ -1,4 +1,4 @@
-// What `s:equal` compares: values of Lua, and tables with all their entries.
+// The comparison of `s:equal`: of Lua values, and of tables entry by entry.
 #pragma once
 
 #include <lua.hpp>

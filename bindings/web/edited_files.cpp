@@ -35,7 +35,7 @@ std::string why(int problem) { return problem == ELOOP ? "is a link, which is no
 
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-// The name of an open folder, under which the kernel finds exactly this folder.
+// A path that leads to this open folder, also after it was renamed or replaced.
 std::string name_of(const Descriptor& folder) {
     std::filesystem::path name = "/proc/self/fd/" + std::to_string(folder.get());
 #if defined(__EMSCRIPTEN__)  // files are found by whole names only
@@ -115,7 +115,7 @@ Expected<void> EditedFiles::check_name(std::string_view name) {
     if (name.empty() || name.size() > longest_name) return failure("a file needs a name of at most 400 bytes");
     const auto is_control = [](unsigned char each) { return each < 0x20 || each == 0x7f || each == '\\'; };
     if (!is_utf8(name) || std::any_of(name.begin(), name.end(), is_control))
-        return refuse("is not a file name: it contains a control character or a \\");
+        return refuse("is not a file name: it contains a control character, a \\, or bytes that are not UTF-8");
     for (std::string_view rest = name;;) {
         const auto slash = rest.find('/');
         const std::string_view part = rest.substr(0, slash);

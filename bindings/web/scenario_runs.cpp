@@ -134,7 +134,8 @@ Expected<void> ScenarioRuns::start(ClientId client, std::int64_t id, const TestM
         return {};
     }
     if (project_.empty()) return failure("this is not a project: there is no folder behaviors/");
-    if (program_.empty()) return failure("this program can't run scenarios: use `nezumi run`");
+    if (program_.empty())
+        return failure("this program can't run scenarios: use `nezumi test`, or the page of `nezumi run`");
     const Unexpected busy = failure("too many requests wait: try again");
     if (message.what == TestMessage::What::list) {
         if (!lists_.put([this, client, id] { list(client, id); })) return busy;

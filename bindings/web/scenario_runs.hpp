@@ -33,8 +33,9 @@ public:
     ScenarioRuns(const ScenarioRuns&) = delete;
     ScenarioRuns& operator=(const ScenarioRuns&) = delete;
 
-    /// Answers now or later. During a run the browser also gets {"is":"tests","text":...} with what `nezumi test --tap`
-    /// has written since, and at the end {"is":"tests","done":true,"problem":...}.
+    /// The answer may come after this returns. During a run the browser also gets {"is":"tests","text":...} with what
+    /// `nezumi test --tap` has written since the last of these, and at the end
+    /// {"is":"tests","done":true,"problem":...}.
     Expected<void> start(ClientId client, std::int64_t id, const TestMessage& message);
 
     /// [s] A run of scenarios that takes longer is ended, and so is the page of a run.

@@ -23,7 +23,7 @@ struct Place {
     bool operator==(const Place&) const = default;
 };
 
-/// Where a script was (`engine/components/inside.hpp`).
+/// The calls that were active in a script when an error occurred (`engine/components/inside.hpp`).
 struct ErrorFrames;
 
 /// An error of the outside world: wrong input, a missing file, a device that is gone. Never a mistake of this program.

@@ -103,7 +103,7 @@ void ResultFile::cut_to_rows(std::uint64_t from, std::string_view note) {
         whole = from + *end_of_row;
         if (whole + note.size() <= size) with_note = whole;
     }
-    // If the disk has space again, no row must be removed for the note.
+    // At first after the last row: if the disk has space again, no row needs to be removed for the note.
     const auto put = [&](std::uint64_t place) {
         return pwrite(file, note.data(), note.size(), static_cast<off_t>(place)) == static_cast<ssize_t>(note.size());
     };

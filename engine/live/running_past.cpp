@@ -45,7 +45,8 @@ Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) 
             fmt::format("{} ends at {:g} s", history_.branches()[*branch].name, history_.branches()[*branch].seconds));
     }
     if (const auto its_end = history_.end_of_start(to.start, *branch); its_end && to.tick > *its_end) {
-        return failure(fmt::format("start {} of {} ends at {:g} s", to.start, history_.branches()[*branch].name,
+        return failure(fmt::format("the run after start {} in {} ends at {:g} s", to.start,
+                                   history_.branches()[*branch].name,
                                    static_cast<double>(*its_end) / system().settings().rate));
     }
     return PastRun::begin(*this, *branch, where, to);

@@ -277,7 +277,7 @@ public:
         return both && companion_->type() == source.companion()->type() ? companion_ : nullptr;
     }
 
-    /// From now on, keeps all messages of its latest arrival, for recording.
+    /// From now on, keeps all messages that arrived in the tick `arrival_tick()`, for recording.
     void follow() const { followed_ = true; }
 
     /// The port is stale after this time [s] without a message: that of its slowest sender.

@@ -90,7 +90,7 @@ Expected<void> Robot::on_activated() {
     return {};
 }
 
-// Whether all sensors that it needs have values, now or a moment ago.
+// Whether each sensor that it needs gave a value less than `longest_blindness` ago.
 bool Robot::hears_what_it_needs(const Time& now) {
     bool hears = true;
     std::vector<std::string_view> lost, back;

@@ -171,8 +171,8 @@ System::ForeignCheck foreign_check(const PeerWords& words, const SystemSpec& spe
         const PeerWord* word = word_of_port(words, connection.from);
         if (word == nullptr) word = word_of_port(words, connection.to);
         if (word == nullptr) {
-            return failure(
-                fmt::format("{} to {}: ports of other programs can't be reached here", connection.from, connection.to));
+            return failure(fmt::format("{} to {}: this program can't connect to ports of other programs",
+                                       connection.from, connection.to));
         }
         const auto its = peers.find(word->name());
         return word->check_connection(system, its == peers.end() ? nullptr : its->second.get(), connection);

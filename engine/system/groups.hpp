@@ -11,7 +11,7 @@
 namespace nezumi {
 
 /// Components that are connected to each other, directly or indirectly. Within a tick no group depends on another one,
-/// so each goes through the phases on its own. This keeps its memory in the cache.
+/// so one goes through all phases before the next one starts: its memory stays in the cache.
 struct Group {
     std::vector<Device*> devices;  ///< both in the order of the system's components
     std::vector<Component*> behaviors;

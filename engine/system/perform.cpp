@@ -85,7 +85,7 @@ Expected<ActResult> with_component(System& system, const std::string& name, cons
     return result_of(action(**component));
 }
 
-// A robot that can be moved from outside, and what moves it.
+// A robot that a user can move, with the world that moves it and its number there.
 struct HandledRobot {
     const Robot* robot;
     World* world;
@@ -162,8 +162,8 @@ Expected<ActResult> perform(System& system, const Hold& act, const Actor& who) {
     const Actor* holder = system.holder(act.port);
     if (holder != nullptr && *holder != who) {
         if (!act.take) return result_of(check_holder(system, act.port, who));
-        system.log(LogLevel::warn, fmt::format("{}: held by {} from now on, no longer by {}", act.port, to_text(who),
-                                               to_text(*holder)));
+        system.log(LogLevel::warn, fmt::format("{}: its value is held by {} now, no longer by {}", act.port,
+                                               to_text(who), to_text(*holder)));
     }
     (*port)->hold(act.value);
     system.set_holder(act.port, who);
@@ -263,7 +263,7 @@ Expected<ActResult> perform(System& system, const Command& act, const Actor& /*w
 
 Expected<ActResult> perform(System& system, const Stop& /*act*/, const Actor& who) {
     system.emergency_stop();
-    system.log(LogLevel::warn, fmt::format("emergency stop ({}): rearm() lets the robots drive again", to_text(who)));
+    system.log(LogLevel::warn, fmt::format("emergency stop by {}: rearm() lets the robots drive again", to_text(who)));
     tell_robots_elsewhere(system);
     return ActResult{};
 }

@@ -214,7 +214,8 @@ std::vector<std::string> System::peers(const Component& component, const Port& p
 
 Expected<void> System::connect_foreign(ConnectionSpec wanted) {
     if (!foreign_check_)
-        return failure(fmt::format("{} to {}: ports of other programs can't be reached here", wanted.from, wanted.to));
+        return failure(
+            fmt::format("{} to {}: this program can't connect to ports of other programs", wanted.from, wanted.to));
     if (auto ok = foreign_check_(*this, wanted); !ok) return ok;
     if (std::find(foreign_.begin(), foreign_.end(), wanted) != foreign_.end())
         return failure(fmt::format("{} is connected to {} already", wanted.from, wanted.to));

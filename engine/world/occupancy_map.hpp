@@ -1,4 +1,4 @@
-// Maps of ROS: a picture of occupied pixels, and a YAML file with its position.
+// Occupancy maps of ROS: a picture whose pixels say what is occupied, and a YAML file that says where it lies.
 #pragma once
 
 #include <cstddef>

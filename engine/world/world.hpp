@@ -95,8 +95,8 @@ public:
     /// Whether its power supply allows driving. If not, the robot brakes and stands, and `take_faults` gives the
     /// reason.
     virtual bool may_drive() const { return true; }
-    /// The voltage [V] of its battery, NaN while that is unknown. Nothing for a body that never knows it: no simulation
-    /// discharges a battery.
+    /// The voltage [V] of its battery, NaN while it is not known yet. No value for a body that can't measure it, such
+    /// as a simulated one.
     virtual std::optional<double> battery() const { return std::nullopt; }
     /// Whether a wheel's motor has full power but does not reach its speed, as its driver reports.
     virtual bool is_stalled() const { return false; }

@@ -1,4 +1,4 @@
-// One ioctl each: I2C_RDWR keeps no state in the open file, so reader and writer can share it.
+// Each transfer is one ioctl: I2C_RDWR keeps no state in the open file, so reader and writer can share it.
 #include "hw/wire/i2c_bus.hpp"
 
 #include <linux/i2c-dev.h>

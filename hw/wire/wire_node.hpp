@@ -34,7 +34,7 @@ std::string with_wire_advice(const std::string& path, int error, const NodeKind&
 /// "/dev/null: it is not a serial line: expected a device such as /dev/ttyACM0".
 std::string not_of_kind(const std::string& path, const NodeKind& kind);
 
-/// A plain file in place of a device: it has the last message, and nothing is read from it.
+/// A plain file in place of a device, for tests: each message replaces the one before, and nothing is ever read.
 std::unique_ptr<OpenWire> plain_wire(Descriptor file);
 
 }  // namespace nezumi::hw

@@ -106,7 +106,7 @@ void watch_end_of_run(const StopSignals::Ends& ends) {
     if (is_over_before(came + StopSignals::until_ended)) return;
     const StopSignals::Held held = ends.held();
     const std::string line = fmt::format(
-        "nezumi: the run did not end within {:g} s of SIG{}, because it was waiting for {}: it was ended immediately\n",
+        "nezumi: {:g} s after SIG{} the run was still waiting for {}, so it was ended by force\n",
         std::chrono::duration<double>(StopSignals::until_ended).count(), sigabbrev_np(last_signal), held.by);
     do_within(longest_telling, [line] { tell_if_taken(line); });
     do_within(longest_completion, ends.at_once);

@@ -72,7 +72,11 @@ int list_network(const ListOptions& options) {
 int write_secret(const std::string& file) {
     std::error_code none;
     if (std::filesystem::exists(file, none))
-        return refuse(fmt::format("network secret: {} exists already: hosts that use it would no longer match", file));
+        return refuse(
+            fmt::format("network secret: {} exists already and is not replaced, because hosts that use it could no "
+                        "longer connect: give "
+                        "another name",
+                        file));
     // Other users must not be able to read it, even while it is written.
     const mode_t before = umask(077);
     const auto written = write_whole(file, dds::secret_text(dds::make_secret()));

@@ -1,4 +1,4 @@
-// `nezumi rtc`: the profile of a behaviour for RTCBuilder, and RT systems of RTSystemEditor that are restored.
+// `nezumi rtc`: writes the profile of a behaviour for RTCBuilder, or restores a system that RTSystemEditor saved.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/stat.h>

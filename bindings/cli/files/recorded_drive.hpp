@@ -17,7 +17,7 @@ using TopicsOfPorts = std::map<std::string, std::string, std::less<>>;
 
 /// Fills `drive` (whose entry and rate are set) with the messages of the ports of `behavior`, from the topics of
 /// `topics`, else from "/COMPONENT/PORT". `name` is the file's name. An error if a port or a topic of `topics` does not
-/// exist, if no in-port is recorded, or if a topic has another type than its port.
+/// exist, if an in-port or all out-ports are not recorded, or if a topic has another type than its port.
 Expected<void> read_drive(RecordedDrive& drive, const record::McapFile& recording, const TopicReader& reader,
                           const std::string& name, const Component& behavior, const TopicsOfPorts& topics);
 

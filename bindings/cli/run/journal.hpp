@@ -31,8 +31,7 @@ public:
     const std::vector<std::string>& notes() const { return notes_; }
     /// The conditions of a failed scenario that is opened, one line for each.
     const std::vector<std::string>& conditions() const { return conditions_; }
-    /// Performs a replay that is opened, up to its end; then this run is not a replay any more. Gives up when `end` is
-    /// not 0.
+    /// Runs the opened replay to its end; from then on this is a normal run. Stops early when `end` is not 0.
     Expected<void> go_to_end(const volatile std::sig_atomic_t& end);
     /// Follows the loop, which must outlive this object.
     void follow(RunLoop& loop);

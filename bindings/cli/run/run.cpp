@@ -329,7 +329,7 @@ private:
         return Unexpected(std::move(told));
     }
 
-    // Whether commands of --batch have not had what they were to have.
+    // Reports a command of --batch that a signal or the end of the time cut off. Returns whether there is one.
     bool tell_cut_off() {
         if (!options_.batch || !(loop_->interrupted() || loop_->came_to_end())) return false;
         const int line = console_->unfinished_line();

@@ -72,7 +72,7 @@ Value merge(FieldCheck* check, const Value& base, const Value& changes, const Fi
         inner.push_back(change.name);
         const Value* before = from->find(change.name);
         if (check != nullptr && is_false(change.value) && before == nullptr && is_table_of_names(path))
-            check->wrong(inner, fmt::format("removes something that does not exist{}", nearest(change.name, *from)));
+            check->wrong(inner, fmt::format("can't be removed: it does not exist{}", nearest(change.name, *from)));
         if (check != nullptr && before == nullptr && is_table_of_names(path) && !is_whole(path[0], change.value)) {
             // A mistake in a name, unless no name is near; then the reader reports what a new one needs.
             if (const std::string near = nearest(change.name, *from); !near.empty()) check->unknown(inner, near);

@@ -107,7 +107,7 @@ Expected<TeleportOf> read_teleport(const Objects& objects, RunningSystem& curren
         if (!place) return Unexpected(place.error());
         return TeleportOf{robot->live, Teleport{robot->component->name(), *place}};
     }
-    // An object, a marker, or a mistake in the name of a marker.
+    // It is not a robot: an object, a marker, or a name that is nearly that of a marker.
     const std::string name(lua_type(L, thing) == LUA_TSTRING ? lua_tostring(L, thing) : "");
     const std::vector<std::string> things = thing_names(current.system());
     if (std::find(things.begin(), things.end(), name) != things.end()) {

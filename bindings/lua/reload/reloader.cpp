@@ -232,7 +232,7 @@ void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::V
         } else if (successor != ports.end()) {
             what = successor->type->name == port->type_name()
                        ? fmt::format(
-                             "{}: {} has another definition now{}", path, port->type_name(),
+                             "{}: the definition of {} has changed{}", path, port->type_name(),
                              in && static_cast<const InPortBase*>(port)->is_new() ? "; unread values are dropped" : "")
                        : fmt::format("{} is {} now, not {}", path, successor->type->name, port->type_name());
         }

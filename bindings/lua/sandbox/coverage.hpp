@@ -65,7 +65,7 @@ public:
     /// Makes the table of the marks of a source and pushes it. May raise a Lua error.
     static void push_marks(lua_State* lua, Source& source);
 
-    /// Scripts announce their Lua states, and take them away before they end.
+    /// The owner of a Lua state adds it, and removes it before the state is closed.
     void add(const LuaState& state) { states_.push_back(&state); }
     void remove(const LuaState& state);
 

@@ -113,8 +113,8 @@ int resume(lua_State* lua) {
     return finish_resume(lua, run(lua, coroutine, arguments, go_on_resume));
 }
 
-// Closes the variables of a coroutine that is not running; `closes` is true meanwhile. Returns whether this succeeded;
-// otherwise an error is on its stack.
+// Closes the to-be-closed variables of a coroutine that is not running; during this `closes` is true. Returns whether
+// this succeeded; otherwise the error is on the stack of the coroutine.
 bool reset(lua_State* lua, lua_State* coroutine, bool& closes) {
     check_c_stack(lua);
     current_call->running = coroutine;

@@ -26,7 +26,7 @@ bool push_origin(lua_State* lua, int index);
 /// and runs no Lua.
 bool push_behind_lock(lua_State* lua, int index);
 
-/// Marks the metatable on top of the stack as hidden, because scripts could change it for all its tables:
+/// Hides the metatable on top of the stack; else a script could change it for all tables that have it.
 /// `getmetatable` returns nil, `setmetatable` replaces it, `ipairs` ignores its `__index`, and its tables count as
 /// plain data. May raise a Lua error (memory).
 void hide_metatable(lua_State* lua);

@@ -11,8 +11,8 @@ namespace nezumi {
 /// The name of the table that a marked text sets. It is the argument of its main function.
 inline constexpr std::string_view marks_name = "nezumi_marks";
 
-/// A text that sets `nezumi_marks[i] = 1` where mark `i` (from 1) is passed. Lines and results are those of the
-/// original.
+/// A text that sets `nezumi_marks[i] = 1` where mark `i` (from 1) is passed. It has the same lines and
+/// results as the original.
 struct MarkedText {
     /// Each `if`, `elseif`, `while` and `for` has two ways.
     struct Branch {

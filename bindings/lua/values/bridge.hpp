@@ -29,7 +29,7 @@ struct Arguments {
     std::string_view kind(int position) const;
     /// A string, not a number; otherwise the error "expected WHAT, got KIND".
     Expected<std::string> text(int position, std::string_view what) const;
-    /// A number, not a string with a numeral; otherwise the error "expected WHAT, got KIND".
+    /// A number; a string such as "12" is not one. Otherwise the error "expected WHAT, got KIND".
     Expected<double> number(int position, std::string_view what) const;
     /// "WORD: expected at most 2 arguments, got 3: WORD(name, value)" when there are more; `usage` is "(name, value)".
     Expected<void> at_most(std::string_view function, int most, std::string_view usage) const;

@@ -148,8 +148,8 @@ bool keeps_limits(const Type::Field& field, const ValuePlace& value, Mismatch* w
     return why != nullptr && refuse(why, explain_misfit(*field.limits, value.view()));
 }
 
-// One pass over the keys; the order of several errors does not matter here. The keys of a table are often in the order
-// in which they were written: the order of the fields.
+// One pass over the keys. They are often in the order of the fields, so the search begins at the next field. If several
+// fields are wrong, any of the errors is reported.
 bool read_fields_at_once(lua_State* L, int index, const ValuePlace& out) {
     const auto& fields = out.type->fields;
     std::size_t next = 0;

@@ -66,7 +66,7 @@ public:
         Lock lock(mutex_);
         changed_.wait_until(lock, time, [this] { return ended_; });
     }
-    /// Later messages are dropped; zero is sent to a robot that may be moving.
+    /// From now on messages are dropped. To a robot that may be moving, zero is sent last.
     void stop() {
         {
             const std::lock_guard lock(mutex_);

@@ -85,7 +85,8 @@ Expected<void> allow(int ruleset, const fs::path& path, std::uint64_t rights) {
 
 Expected<void> confine_files(const Confinement& confinement) {
     const int known = version();
-    if (known < 1) return failure("this kernel has no Landlock");
+    if (known < 1)
+        return failure("this kernel can't confine programs: it has no Landlock (Linux 5.13 or later has it)");
     const std::uint64_t rights = known_rights(known);
     // Signals and abstract sockets of other programs, TCP ports.
     const Ruleset all{.files = rights, .net = known >= 4 ? 3U : 0U, .scoped = known >= 6 ? 3U : 0U};

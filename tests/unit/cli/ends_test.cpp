@@ -200,9 +200,8 @@ TEST_CASE("a file that takes nothing is given up, with a line", "[cli][ends][wal
     holds(sink("`--" + option + "`"), run);
     run.wait();
     CHECK_THAT(run.error,
-               Catch::Contains(option == "picture" ? "nezumi: the run did not end within 2 s of SIGTERM, because it "
-                                                     "was waiting for results to be written: "
-                                                     "it was ended immediately\n"
+               Catch::Contains(option == "picture" ? "nezumi: 2 s after SIGTERM the run was still waiting for results "
+                                                     "to be written, so it was ended by force\n"
                                : option == "journal"
                                    ? unread.file + ": the journal can't be written: it did not accept all data in time"
                                    : unread.file + ": can't be written: it did not accept all data in time"));
@@ -228,7 +227,7 @@ TEST_CASE("a standard output that is full keeps no run from its end", "[cli][end
     REQUIRE(run.wait_for_error("begins"));
     holds(sink("standard output: the trace hash"), run);
     run.wait();
-    CHECK_THAT(run.error, Catch::Contains("because it was waiting for standard output: it was ended immediately\n"));
+    CHECK_THAT(run.error, Catch::Contains("was still waiting for standard output, so it was ended by force\n"));
 }
 
 TEST_CASE("a console writes only to files: a FIFO is refused at once", "[cli][ends][wallclock]") {

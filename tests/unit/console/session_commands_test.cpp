@@ -213,7 +213,7 @@ TEST_CASE("a port that another actor holds is refused, and can be taken over", "
     CHECK(it.type("controller.out:hold({}, true)") == "! controller.out: options expected a table, got boolean");
     CHECK(it.type("hold(controller.out, {}, { take = true })").empty());
     CHECK(it.type("controller.out.holder") == "\"console\"");
-    CHECK(it.said("controller.out: held by console from now on, no longer by browser tablet"));
+    CHECK(it.said("controller.out: its value is held by console now, no longer by browser tablet"));
     CHECK_FALSE(it.live->act(Release{"controller.out"}, tablet));
     CHECK(it.type("release(controller.out) return controller.out.holder") == "nil");
 }

@@ -42,7 +42,7 @@ TEST_CASE("what robots and devices cost a tick is measured as well", "[console][
     CHECK(it.type("profile(0.1)") == "time is paused: run() lets it go on");
     it.shown.clear();
     it.turn(10);
-    CHECK(it.shown.find("component  executions      median       worst  of a tick\n") == 0);
+    CHECK(it.shown.find("component  executions      median       worst  mean/tick\n") == 0);
     for (const std::string name : {"mouse", "stick", "idle "}) {
         INFO(it.shown);
         CHECK(it.shown.find("\n" + name + "              10  ") != std::string::npos);

@@ -101,7 +101,7 @@ TEST_CASE("a hold belongs to its actor until another actor takes it", "[engine][
     CHECK(error_of(it.system, Driving::hold(0.05), console).empty());  // its own it may change
 
     CHECK(error_of(it.system, Driving::hold(0.2, true), tablet).empty());
-    CHECK(it.log.back() == ": mouse.velocity_in: held by browser tablet from now on, no longer by console");
+    CHECK(it.log.back() == ": mouse.velocity_in: its value is held by browser tablet now, no longer by console");
     CHECK(it.system.held_by(tablet) == std::vector<std::string>{"mouse.velocity_in"});
     CHECK(it.system.held_by(console).empty());
     CHECK(error_of(it.system, Release{"mouse.velocity_in"}, tablet).empty());

@@ -319,7 +319,7 @@ TEST_CASE("a real gamepad drives a simulated mouse by --hw, and its button stops
                     fake.folder.path("").string());
     sleep_for(2.5);
     fake.set("BTN_SELECT", 1);
-    CHECK(program.wait_for_error("emergency stop (joystick stick): rearm() lets the robots drive again", 10));
+    CHECK(program.wait_for_error("emergency stop by joystick stick: rearm() lets the robots drive again", 10));
     REQUIRE(program.wait() == 0);
     std::ifstream file(fake.folder.path("x.csv"));
     std::string row;

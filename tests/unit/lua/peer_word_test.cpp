@@ -132,6 +132,6 @@ TEST_CASE("a registered word checks connections with its peers", "[lua][system_f
     CHECK(radio::built(without, {&radio::word}) == "s.lua:1: connect: there is no radio");
     for (const PeerWords& words : {PeerWords{}, PeerWords{&radio::word}}) {
         CHECK(radio::built(spec_to("other:x"), words) ==
-              "s.lua:1: connect: c.out to other:x: ports of other programs can't be reached here");
+              "s.lua:1: connect: c.out to other:x: this program can't connect to ports of other programs");
     }
 }

@@ -107,7 +107,7 @@ TEST_CASE("false removes a sensor or port, unless a port needs it", "[lua][robot
     CHECK(robots.robot("body = false").body.size.x == Approx(0.11));  // as of a robot without one
     CHECK(robots.error("sensors = { left = false }") == "robot_model: port 'both': there is no sensor 'left'");
     CHECK(robots.error("sensors = { lefft = false }") ==
-          "robot_model: field 'sensors.lefft' removes something that does not exist (did you mean 'left'?)");
+          "robot_model: field 'sensors.lefft' can't be removed: it does not exist (did you mean 'left'?)");
     CHECK(robots.error("sensors = { lefft = { noise = 8 } }") ==
           "robot_model: unknown field 'sensors.lefft' (did you mean 'left'?)");
     CHECK(robots.error("ports = { bot = { from = 'left' } }") ==

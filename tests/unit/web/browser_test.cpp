@@ -190,7 +190,7 @@ TEST_CASE("driving a port of another user is refused, or taken over on request, 
     CHECK(refused["text"].get<std::string>().find("browser 1") != std::string::npos);
     REQUIRE(other.send_frame(drive_message(true).dump()));
     CHECK_FALSE(other.next_text(R"("drivers":{"mouse.target_velocity_in":"browser 2"})").empty());
-    CHECK(rig.said("held by browser 2 from now on, no longer by browser 1"));
+    CHECK(rig.said("its value is held by browser 2 now, no longer by browser 1"));
     Json let_go = drive_message(false);
     let_go["value"] = nullptr;
     REQUIRE(other.send_frame(let_go.dump()));

@@ -111,7 +111,8 @@ TEST_CASE("a wrong request of an editor is refused with the reason", "[web][edit
     CHECK(text(edit("read", 5, {{"file", "nobody.lua"}})) == "nobody.lua: there is no such file");
     CHECK(text({{"do", "test"}, {"what", "fly"}, {"id", 6}}) ==
           "'what' must be one of list, run, stop, open, watch, recordings, judge");
-    CHECK(text({{"do", "test"}, {"what", "run"}, {"id", 7}}) == "this program can't run scenarios: use `nezumi run`");
+    CHECK(text({{"do", "test"}, {"what", "run"}, {"id", 7}}) ==
+          "this program can't run scenarios: use `nezumi test`, or the page of `nezumi run`");
 }
 
 TEST_CASE("scenarios run as processes whose report is sent while they run", "[web][scenarios]") {
