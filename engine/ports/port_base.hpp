@@ -301,7 +301,7 @@ protected:
     virtual void take_own(Value value, const Time& now) = 0;
     /// Discards the messages in this port.
     virtual void clear_messages() = 0;
-    /// Copies the latest message into this port, so that it no longer refers to a source.
+    /// Copies the latest message into this port.
     virtual void keep_latest() = 0;
     /// Changes `capacity_`; the queue is filled by `fill` afterwards.
     virtual void set_capacity(std::size_t queue) = 0;
