@@ -93,7 +93,7 @@ Expected<CommandEnd> command_drive(Session::Parts& parts, const Arguments& argum
         if (component) {
             what = component->component->name();
         } else if (arguments.count() < 1) {
-            return failure("expected a port to drive, as in drive \"stick\", got nothing");
+            return failure("expected a component or a port to drive, as in drive \"stick\", got nothing");
         } else {
             return Unexpected(what.error().message.find("is not a port") != std::string::npos ? component.error()
                                                                                               : what.error());

@@ -38,8 +38,8 @@ struct ComponentProfile {
 /// elements.
 Expected<ComponentProfile> read_component_profile(std::string_view text, const std::string& shown);
 
-/// Writes a profile of version 0.3 that was changed at `date` ("2026-01-31T12:00:00Z"). What is read from it is the
-/// same, except for remarks. An error names the text that XML can't hold.
+/// Writes a profile of version 0.3 that was changed at `date` ("2026-01-31T12:00:00Z"). Reading the text gives the
+/// same profile, except for the field `remarks`. An error names the text that XML can't hold.
 Expected<std::string> write_component_profile(const ComponentProfile& profile, const std::string& date);
 
 }  // namespace nezumi::openrtm

@@ -1,5 +1,5 @@
-// Defaults are texts there, with the types of several languages. What OpenRTM has no word for is a property
-// "nezumi....".
+// In a profile of OpenRTM, defaults are texts, and the names of types come from several languages. What OpenRTM has no
+// word for is a property "nezumi....".
 #include "bindings/openrtm/profile_parameter.hpp"
 
 #include <fmt/format.h>

@@ -323,7 +323,9 @@ PutAnswer RtmServer::put(std::string_view path, std::string_view from, std::span
         const std::lock_guard lock(mutex_);
         is_new = malformed_.size() < most_told && malformed_.emplace(fmt::format("{} {}", path, from), problem).second;
     }
-    if (is_new) tell(true, fmt::format("rtm: {} refuses a malformed message of {}: {}", path, shown(from), problem));
+    if (is_new)
+        tell(true,
+             fmt::format("rtm: {} refuses a malformed message from connection '{}': {}", path, shown(from), problem));
     return answer;
 }
 

@@ -62,8 +62,8 @@ Expected<SystemProfile> read_system_profile(std::string_view text, const std::st
 SystemProfile profile_of_system(const System& system, const SystemSpec& spec);
 
 /// Writes a profile of version 0.2 that was changed at `date` ("2026-01-31T12:00:00", without a zone for
-/// rtsprofile). What is read from it is the same, except for remarks. An error names the text that a profile can't
-/// hold.
+/// rtsprofile). Reading the text gives the same profile, except for the field `remarks`. An error names the text that a
+/// profile can't hold.
 Expected<std::string> write_system_profile(const SystemProfile& profile, const std::string& date,
                                            ProfileFormat format = ProfileFormat::xml);
 

@@ -1,4 +1,5 @@
-// Rounds have a fixed size that does not depend on the number of jobs. A place is a share of the range of each value.
+// Rounds have a fixed size that does not depend on the number of jobs. A place has a number from
+// 0 to 1 for each value: where it is in the range of the value.
 #include "bindings/scenario/search.hpp"
 
 #include <algorithm>

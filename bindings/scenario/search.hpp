@@ -29,9 +29,9 @@ public:
     Search(Sweep sweep, std::uint64_t seed) : sweep_(std::move(sweep)), random_(seed) {}
 
     /// Chooses the points of the next round, at most `most`, and none twice; none when all have been chosen. The first
-    /// round has corners of the values, and random points. In later rounds, two points are where a model of one
-    /// condition's margins after the other has its least value, one is near the least margin so far, one near the ends
-    /// of some values, one near a run that had new lines, and one is random.
+    /// round has corners of the values, and random points. In later rounds, two points are where a model of a
+    /// condition's margins is least, and one is near one of its least margins so far; the conditions take turns. One is
+    /// near the ends of some values, one near a run that had new lines, and one is random.
     std::vector<SweepPoint> next(std::size_t most);
 
     /// Adds the result of a run, in the order of the points of its round.

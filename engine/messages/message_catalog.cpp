@@ -145,8 +145,9 @@ Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& def
         const Type* type = elements[i] != nullptr ? elements[i] : &made->types.enumeration_of(field.choices);
         for (const std::size_t length : field.shape) {
             if (length > most_message_size || type->size * std::max(length, std::size_t{1}) > most_message_size)
-                return refuse(field, fmt::format("has an array of {} elements, expected at most {} bytes", length,
-                                                 most_message_size));
+                return refuse(field,
+                              fmt::format("has an array of {} elements, which does not fit into a message of {} bytes",
+                                          length, most_message_size));
             type = length == 0 ? &made->types.sequence_of(*type) : &made->types.array_of(*type, length);
         }
         size += type->size;

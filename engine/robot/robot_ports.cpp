@@ -187,7 +187,7 @@ Expected<void> Robot::add_output(const PortSpec& port) {
     if (item == "stalled") {
         if (port.type != "TimedBoolean")
             return failure(fmt::format("'stalled' is a TimedBoolean, not a {}", port.type));
-        if (stalled_out_ != nullptr) return failure("a robot has one out-port of 'stalled'");
+        if (stalled_out_ != nullptr) return failure("a robot can have only one out-port of 'stalled'");
         stalled_out_ = &add_out_port<bool>(port.name, port.doc);
         return {};
     }
@@ -271,19 +271,19 @@ Expected<void> Robot::add_input(const PortSpec& port) {
     };
     if (item == "drive") {
         if (auto ok = is_type("TimedVelocity2D"); !ok) return ok;
-        if (velocity_in_ != nullptr) return failure("a robot has one in-port for its drive");
+        if (velocity_in_ != nullptr) return failure("a robot can have only one in-port for its drive");
         velocity_in_ = &add_in_port<Velocity2D>(port.name, port.doc, port.queue);
         return {};
     }
     if (item == "odometry") {
         if (auto ok = is_type("TimedPose2D"); !ok) return ok;
-        if (pose_in_ != nullptr) return failure("a robot has one in-port for its odometry");
+        if (pose_in_ != nullptr) return failure("a robot can have only one in-port for its odometry");
         pose_in_ = &add_in_port<Pose2D>(port.name, port.doc, port.queue);
         return {};
     }
     if (item == "say") {
         if (auto ok = is_type("TimedDoubleSeq"); !ok) return ok;
-        if (say_in_ != nullptr) return failure("a robot has one in-port for what it says");
+        if (say_in_ != nullptr) return failure("a robot can have only one in-port for what it says");
         say_in_ = &add_in_port<std::vector<double>>(port.name, port.doc, port.queue);
         is_quiet_when_silent_ = port.off_when_silent;
         return {};

@@ -174,7 +174,7 @@ Expected<OccupancyMap> read_occupancy(const OccupancyFacts& facts, std::string_v
 }
 
 std::string describe(const OccupancyMap& map, const std::string& file) {
-    return fmt::format("{}: {} box{} from {} of {} x {} pixels", file, map.boxes.size(),
+    return fmt::format("{}: {} box{} from {} occupied pixels of {} x {}", file, map.boxes.size(),
                        map.boxes.size() == 1 ? "" : "es", map.occupied, map.columns, map.rows);
 }
 

@@ -44,7 +44,7 @@ Expected<OccupancyFacts> read_occupancy_facts(std::string_view text, const std::
 Expected<OccupancyMap> read_occupancy(const OccupancyFacts& facts, std::string_view picture, const std::string& file,
                                       double height, const Place& place);
 
-/// "map.yaml: 12 boxes from 640 of 384 x 384 pixels".
+/// "map.yaml: 12 boxes from 640 occupied pixels of 384 x 384".
 std::string describe(const OccupancyMap& map, const std::string& file);
 
 }  // namespace nezumi

@@ -417,7 +417,7 @@ class Attacks(ClassCase):
         code = self.room.pupil()["code"]
         _, answers = self.ask("join", *[{"do": "class", "code": "aaaaa%d" % i, "id": i} for i in range(2, 9)])
         self.assertEqual([each["text"] for each in answers],
-                         ["there is no such code in this class"] * 5 + ["too many wrong codes: wait a minute"] * 2)
+                         ["nobody in this class has this code"] * 5 + ["too many wrong codes: wait a minute"] * 2)
         _, answers = self.ask("join", {"do": "class", "code": code, "id": 1})
         self.assertEqual(answers[0]["text"], "too many wrong codes: wait a minute", "also the right one has to wait")
 
@@ -480,7 +480,7 @@ class Attacks(ClassCase):
         teacher = self.room.teacher.split("#")[1]
         self.assertTrue(self.ask(teacher, {"do": "class", "what": "renew", "pupil": 1, "id": 1})[1][0]["ok"])
         self.assertTrue(self.ask(token, {"do": "stop", "id": 1}, retries=False)[0], "the old token is refused")
-        self.assertEqual(self.ask("join", {"do": "class", "code": code, "id": 1})[1][0]["text"], "there is no such code in this class")
+        self.assertEqual(self.ask("join", {"do": "class", "code": code, "id": 1})[1][0]["text"], "nobody in this class has this code")
 
     def test_a_pupils_processes_are_confined_and_come_last(self):
         self.page.driver.get(self.room.url)

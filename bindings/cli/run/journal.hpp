@@ -24,8 +24,8 @@ inline constexpr std::string_view failed_recording = "recording.txt";
 
 class RunJournal final : public Attendant {
 public:
-    /// Loads the system from its file, or from the replayed journal. It is not active yet. `recording` takes the
-    /// journal as well, if it is not empty.
+    /// Loads the system from its file, or from the replayed journal. It is not active yet. If `recording` is
+    /// not empty, it gets the journal as well.
     Expected<std::unique_ptr<RunningSystem>> load(const RunOptions& options, LiveOptions live, JournalSink recording);
     /// Messages to show before the run starts.
     const std::vector<std::string>& notes() const { return notes_; }

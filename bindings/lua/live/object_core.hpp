@@ -126,8 +126,8 @@ void push_object(lua_State* L, Objects& objects, ObjectKind kind, RunningSystem&
 /// Pushes a C function whose upvalues are the objects and a name. May raise a Lua error.
 void push_method(lua_State* L, Objects& objects, lua_CFunction function, std::string_view name);
 
-/// Pushes the answer that the core holds, and returns the number of values. May raise a Lua error. Read-only tables are
-/// the value that the object at index 1 has for the key at index 2.
+/// Pushes the answer that the core holds, and returns the number of values. May raise a Lua error. For read-only
+/// tables, the object must be at index 1 and the key that was read at index 2: errors of the tables name them.
 int push_answer(lua_State* L, Objects& objects, Tables tables);
 
 /// The result of an act, as an answer without a value.

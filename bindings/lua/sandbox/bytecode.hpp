@@ -11,7 +11,7 @@ namespace nezumi {
 /// line of the last one that was noted: another one while a hook looks at the script, which notes each.
 std::string with_division_lines(std::string bytecode);
 
-/// The lines of which a call of a function in this bytecode may run one; not those that only run when it is loaded.
+/// The lines that may run when a function in this bytecode is called, without those that run only when it is loaded.
 std::set<int> lines_of_functions(const std::string& bytecode);
 
 }  // namespace nezumi

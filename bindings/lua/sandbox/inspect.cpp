@@ -152,7 +152,7 @@ bool Inspector::can_count(int index) {
     return few;
 }
 
-// False: there is no room for another one, or this is unknown, and has been written.
+// Begins an entry. If there is no room for it, or it is not known, writes "..." and returns false.
 bool Inspector::begin_entry(std::size_t indent, bool flat, std::size_t& count, bool is_known) {
     const bool fits = ++count <= options_.items && out_.size() < work_.bytes && is_known;
     if (!flat) {

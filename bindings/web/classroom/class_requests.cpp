@@ -60,7 +60,7 @@ Expected<Classroom::Json> Classroom::join(Client& client, const Json& request) {
         Seat* seat = pupil == nullptr ? nullptr : seat_of(pupil->number);
         if (seat == nullptr) {
             tries_.was_wrong(client.source, now);
-            return failure("there is no such code in this class");
+            return failure("nobody in this class has this code");
         }
         seat->is_wanted = true;
         return Json{{"token", pupil->token}};

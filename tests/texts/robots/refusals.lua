@@ -186,7 +186,7 @@ ports = { p = { type = 'TimedShortSeq', from = {} } }
 --                                      ^ error: robot_model: field 'ports.p.from' expected a name or a list of names, got another table
 
 ports = { a = { type = 'TimedVelocity2D', to = 'drive' }, b = { type = 'TimedVelocity2D', to = 'drive' } }
--- error at column 1: robot_model: port 'b': a robot has one in-port for its drive
+-- error at column 1: robot_model: port 'b': a robot can have only one in-port for its drive
 
 --- Limits of values that a sensor does not have are refused.
 sensors = { a = { kind = 'range', nothing = 3 } }

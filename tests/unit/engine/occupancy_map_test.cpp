@@ -77,7 +77,7 @@ TEST_CASE("occupied pixels become as few boxes as their rows allow, where they a
     CHECK(map.boxes[0].place == Place{"s.lua", 3});
     CHECK(map.boxes[1].at.x == Approx(-1 + 0.175));
     CHECK(map.boxes[1].at.y == Approx(-2 + 0.025));
-    CHECK(describe(map, "map.yaml") == "map.yaml: 2 boxes from 5 of 4 x 4 pixels");
+    CHECK(describe(map, "map.yaml") == "map.yaml: 2 boxes from 5 occupied pixels of 4 x 4");
 }
 
 TEST_CASE("a map's threshold, its inversion and its turn are kept", "[engine][map]") {

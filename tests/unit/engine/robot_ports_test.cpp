@@ -38,7 +38,7 @@ TEST_CASE("a description with an impossible port is refused with the port's name
     CHECK(refusal([](PortSpec& p) { p.items = {"drive"}, p.type = "TimedDouble"; }) ==
           "robot.lua: port 'extra': 'drive' takes a TimedVelocity2D, not a TimedDouble");
     CHECK(refusal([](PortSpec& p) { p.items = {"drive"}, p.type = "TimedVelocity2D"; }) ==
-          "robot.lua: port 'extra': a robot has one in-port for its drive");
+          "robot.lua: port 'extra': a robot can have only one in-port for its drive");
     CHECK(refusal([](PortSpec& p) { p.items = {"neck"}, p.type = "TimedDouble"; }) ==
           "robot.lua: port 'extra': actuator 'neck' has the in-port 'neck_in' already");
     CHECK(refusal([](PortSpec& p) { p.items = {"bozzer"}, p.type = "TimedShort"; }) ==

@@ -285,7 +285,7 @@ TEST_CASE("a sensor of neighbours has a port of its own type, and what a robot s
     CHECK(error("p = { type = 'TimedLongSeq', to = 'say' }") ==
           "port 'p': 'say' takes a TimedDoubleSeq, not a TimedLongSeq");
     CHECK(error("p = { type = 'TimedDoubleSeq', to = 'say' }, q = { type = 'TimedDoubleSeq', to = 'say' }") ==
-          "port 'q': a robot has one in-port for what it says");
+          "port 'q': a robot can have only one in-port for what it says");
 }
 
 TEST_CASE("an imu's ports carry its rates, its accelerations or both", "[lua][robot_file]") {

@@ -277,7 +277,7 @@ TEST_CASE("a connection's malformed messages are reported once", "[openrtm][serv
         CHECK(rig.server->put("controller.in", "Peer0", half, std::endian::little) == PutAnswer::malformed);
     rig.turn(2);
     REQUIRE(rig.said_lines.size() == 1);
-    CHECK(rig.said_lines[0].starts_with("rtm: controller.in refuses a malformed message of Peer0: "));
+    CHECK(rig.said_lines[0].starts_with("rtm: controller.in refuses a malformed message from connection 'Peer0': "));
     CHECK(rig.server->malformed() == 3);
 }
 

@@ -137,7 +137,7 @@ TEST_CASE("an invalid message is refused, and the connection stays", "[openrtm][
     const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
     REQUIRE(rig.answer(*out, "connect relay0 in", "connected ") == "connected 0");
     CHECK(rig.answer(*out, "send 0102", "sent ") == "sent 1");
-    CHECK(rig.tells("rtm: relay.in refuses a malformed message of made by the fake: "));
+    CHECK(rig.tells("rtm: relay.in refuses a malformed message from connection 'made by the fake': "));
     CHECK(rig.answer(*out, "send " + hex_of(std::int32_t{9}, std::endian::little), "sent ") == "sent 0");
     CHECK(rig.until([&] { return rig.arrived() == Value(std::int32_t{9}); }));
     CHECK(rig.server->malformed() == 1);
