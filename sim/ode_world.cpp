@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/list.hpp"
 #include "sim/markers.hpp"
 #include "sim/robot_body.hpp"
 
@@ -193,7 +194,7 @@ void OdeWorld::remove_robot(RobotId id) {
     for (Thing& thing : movers_.things) {
         // Things that lay on it must fall.
         const auto& near = thing.near.movers;
-        if (std::find(near.begin(), near.end(), robot.mover) != near.end()) thing.wake();
+        if (contains(near, robot.mover)) thing.wake();
     }
 }
 

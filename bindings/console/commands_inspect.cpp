@@ -1,13 +1,13 @@
 // Commands that show components, ports, help and errors.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 
 #include "bindings/console/console_commands.hpp"
 #include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/live/help_text.hpp"
 #include "engine/live/live_text.hpp"
@@ -82,8 +82,7 @@ Expected<std::string> help_asked(Session::Parts& parts, const Arguments& argumen
     const auto name = arguments.text(1, "a word, a component, a port or a name, as in help \"mouse.status\"");
     if (!name) return Unexpected(name.error());
     const std::vector<std::string> components = component_names(parts);
-    if (name->find_first_of(".:") != std::string::npos ||
-        std::find(components.begin(), components.end(), *name) != components.end())
+    if (name->find_first_of(".:") != std::string::npos || contains(components, *name))
         return help_of([&] { return parts.live.tree().find(*name); });
     std::vector<std::string_view> names(components.begin(), components.end());
     for (const ConsoleCommand& command : console_commands()) names.emplace_back(command.name);

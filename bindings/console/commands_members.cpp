@@ -12,6 +12,7 @@
 #include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/system_words.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi {
 namespace {
@@ -38,7 +39,7 @@ Error as_typed(Error error, const Present& present) {
 
 bool is_taken(const System& system, const std::string& name) {
     const std::vector<std::string> markers = marker_names(system);
-    return system.find(name) != nullptr || std::find(markers.begin(), markers.end(), name) != markers.end();
+    return system.find(name) != nullptr || contains(markers, name);
 }
 
 Expected<CommandEnd> add_entry(Session::Parts& parts, const Arguments& arguments, const std::string& word) {

@@ -1,7 +1,6 @@
 // The command that writes a new behaviour into the project, as `nezumi new behavior` does.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 #include "bindings/console/console_commands.hpp"
 #include "bindings/console/file_to_write.hpp"
 #include "bindings/lua/files/file_value.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi {
 namespace {
@@ -33,7 +33,7 @@ Expected<std::vector<std::string>> read_texts(const FileTable& table, std::strin
 Expected<BehaviorRequest> read_behavior_request(const std::string& name, const FileTable& table) {
     BehaviorRequest request{.name = name};
     for (const FileField& field : table.fields) {
-        if (std::find(fields.begin(), fields.end(), field.name) != fields.end()) continue;
+        if (contains(fields, field.name)) continue;
         return failure(fmt::format("there is no field '{}'{}; known are {}", shown(field.name),
                                    did_you_mean(field.name, {fields.begin(), fields.end()}), fmt::join(fields, ", ")));
     }

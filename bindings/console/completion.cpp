@@ -12,6 +12,7 @@
 #include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/names.hpp"
 #include "engine/tree/node.hpp"
 
@@ -20,9 +21,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) { return contains(words, word); }
 
 Names table_keys(lua_State* L, int table) {
     Names names;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/base/list.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi {
@@ -20,7 +21,7 @@ Expected<std::filesystem::path> file_to_write(const std::filesystem::path& home,
     if (const auto what = other_than_file(path); !what.empty())
         return failure(fmt::format("'{}' is {}: give another name", path.string(), what));
     const auto& endings = written.endings;
-    if (std::find(endings.begin(), endings.end(), path.extension().string()) == endings.end()) {
+    if (!contains(endings, path.extension().string())) {
         return failure(fmt::format("{} ends in {}: write {} \"{}\"", written.file, fmt::join(endings, " or "),
                                    written.word,
                                    std::filesystem::path(name).replace_extension(endings.front()).string()));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bindings/dds/announced_types.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/names.hpp"
 #include "engine/values/cdr.hpp"
 
@@ -120,7 +121,7 @@ bool HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, d
     said.announcement = std::move(whole);
     const std::string& host = said.head.host;
     const std::vector<std::uint64_t>& heard = said.announcement.heard;
-    said.counts = understood && (!answered_ || std::find(heard.begin(), heard.end(), own_run_) != heard.end());
+    said.counts = understood && (!answered_ || contains(heard, own_run_));
     const auto present = here_.find(host);
     if (understood && !said.counts) {
         if (present != here_.end() && present->second == writer) here_.erase(present);
@@ -153,9 +154,7 @@ std::vector<std::uint64_t> HostTable::heard_runs() const {
 }
 
 void HostTable::keep(std::span<const std::uint64_t> writers, double now) {
-    std::erase_if(said_, [&](const auto& each) {
-        return std::find(writers.begin(), writers.end(), each.first) == writers.end();
-    });
+    std::erase_if(said_, [&](const auto& each) { return !contains(writers, each.first); });
     for (auto host = here_.begin(); host != here_.end();) {
         if (said_.contains(host->second)) {
             ++host;

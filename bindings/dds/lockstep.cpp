@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bindings/dds/wire.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/names.hpp"
 
 namespace nezumi::dds {
@@ -56,7 +57,7 @@ void Lockstep::meet(const HostTable& hosts, const std::vector<Ends>& connections
     std::set<std::string> related = names;
     for (const Announcement* host : hosts.all()) {
         const std::vector<std::string>& theirs = host->partners;
-        if (std::find(theirs.begin(), theirs.end(), settings_.host) != theirs.end()) related.insert(host->head.host);
+        if (contains(theirs, settings_.host)) related.insert(host->head.host);
     }
     for (const std::string& name : related) {
         const Announcement* host = hosts.find(name);

@@ -6,6 +6,7 @@
 
 #include "bindings/dds/announced_types.hpp"
 #include "bindings/dds/system_network.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/messages/message_catalog.hpp"
 
@@ -61,7 +62,7 @@ bool SystemNetwork::make_what_others_want(const std::vector<Ends>& present, cons
             if (!theirs_first && !ours_first) continue;
             wanted.insert(ends);
             if (refusals_.contains(ends)) continue;
-            if (std::find(present.begin(), present.end(), ends) != present.end()) continue;
+            if (contains(present, ends)) continue;
             const auto fits = can_be(ends, *host);
             if (fits && !*fits) {  // one end is missing: for example a script was reloaded without the port
                 brought_.erase(ends);
@@ -113,7 +114,7 @@ void SystemNetwork::end_what_they_no_longer_want(const std::vector<Ends>& presen
             ++each;
             continue;
         }
-        if (std::find(present.begin(), present.end(), ends) != present.end())
+        if (contains(present, ends))
             static_cast<void>(act(Disconnect{local(ends.first), local(ends.second)}, {Actor::Kind::network, name}));
         each = brought_.erase(each);
     }
@@ -126,7 +127,7 @@ void SystemNetwork::end_what_is_refused(const std::vector<Ends>& present, const 
         for (const AnnouncedConnection& refusal : host->refusals) {
             const Ends ends{refusal.from, refusal.to};
             if (other_of(ends) != name || brought_.contains(ends)) continue;
-            if (std::find(present.begin(), present.end(), ends) == present.end()) continue;
+            if (!contains(present, ends)) continue;
             system_.log(LogLevel::warn, fmt::format("connect({}, {}): host {} refuses: {}", local(ends.first),
                                                     local(ends.second), name, visible(refusal.why)));
             static_cast<void>(act(Disconnect{local(ends.first), local(ends.second)}, {Actor::Kind::network, name}));

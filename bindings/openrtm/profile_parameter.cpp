@@ -15,6 +15,7 @@
 #include "bindings/openrtm/profile_constraint.hpp"
 #include "bindings/openrtm/profile_xml.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi::openrtm {
@@ -28,7 +29,7 @@ constexpr const char* element_property =
     "nezumi.element";  // of an array of texts, where the default does not say where each ends
 constexpr const char* whole_property = "nezumi.choices";  // "whole": of an array, not of its elements
 
-bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+bool has_part(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 // "std::vector<double>", "double[]" and "sequence<double>" are arrays of "double".
 struct NamedType {
@@ -57,14 +58,13 @@ NamedType named_type(std::string_view given) {
 // A value of this type; nothing for a type of no language that RTCBuilder writes.
 std::optional<Value> value_like(const NamedType& type) {
     const std::string_view name = type.single;
-    const auto is = [&](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
     constexpr std::array<std::string_view, 4> texts{"string", "str", "char", "wstring"};
     constexpr std::array<std::string_view, 3> numbers{"float", "double", "longdouble"};
     constexpr std::array<std::string_view, 2> booleans{"bool", "boolean"};
-    if (is(texts)) return type.is_array ? Value(std::vector<std::string>()) : Value(std::string());
-    if (is(numbers)) return type.is_array ? Value(std::vector<double>()) : Value(0.0);
-    if (is(booleans)) return type.is_array ? Value(std::vector<bool>()) : Value(false);
-    if (contains(name, "short") || contains(name, "long") || contains(name, "int") || contains(name, "unsigned") ||
+    if (contains(texts, name)) return type.is_array ? Value(std::vector<std::string>()) : Value(std::string());
+    if (contains(numbers, name)) return type.is_array ? Value(std::vector<double>()) : Value(0.0);
+    if (contains(booleans, name)) return type.is_array ? Value(std::vector<bool>()) : Value(false);
+    if (has_part(name, "short") || has_part(name, "long") || has_part(name, "int") || has_part(name, "unsigned") ||
         name == "octet" || name == "byte") {
         return type.is_array ? Value(std::vector<std::int64_t>()) : Value(std::int64_t{0});
     }

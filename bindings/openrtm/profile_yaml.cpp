@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <vector>
 
 #include "bindings/openrtm/profile_xml.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/yaml.hpp"
 
 namespace nezumi::openrtm {
@@ -72,14 +72,14 @@ private:
 bool is_single(std::string_view name) {
     constexpr std::array<std::string_view, 5> single{"location", "sourceDataPort", "targetDataPort",
                                                      "sourceServicePort", "targetServicePort"};
-    return std::find(single.begin(), single.end(), name) != single.end();
+    return contains(single, name);
 }
 
 // Values that rtsprofile does not read as strings.
 bool is_bare(std::string_view name) {
     constexpr std::array<std::string_view, 8> bare{"isRequired", "visible", "rate",  "pushInterval",
                                                    "x",          "y",       "width", "height"};
-    return std::find(bare.begin(), bare.end(), name) != bare.end();
+    return contains(bare, name);
 }
 
 void put_date(YAML::Emitter& out, std::string_view date) {
@@ -114,7 +114,7 @@ void put(YAML::Emitter& out, const pugi::xml_node& element) {
     std::vector<std::string> done;
     for (const pugi::xml_node& child : elements_of(element)) {
         const std::string name = with_first(local_name(child.name()), std::tolower);
-        if (std::find(done.begin(), done.end(), name) != done.end()) continue;
+        if (contains(done, name)) continue;
         done.push_back(name);
         const bool is_extension = std::string_view(child.name()).starts_with("rtsExt:");
         out << YAML::Key << (is_extension ? std::string(extension) : "") + name << YAML::Value;

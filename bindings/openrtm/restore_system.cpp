@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bindings/openrtm/rtm_spec.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/visible.hpp"
 
 namespace nezumi::openrtm {
@@ -182,9 +183,8 @@ private:
         const auto set = std::find_if(peer.sets.begin(), peer.sets.end(),
                                       [&](const auto& each) { return each.first == wanted.first; });
         if (set == peer.sets.end()) return false;
-        return std::all_of(wanted.second.begin(), wanted.second.end(), [&](const auto& value) {
-            return std::find(set->second.begin(), set->second.end(), value) != set->second.end();
-        });
+        return std::all_of(wanted.second.begin(), wanted.second.end(),
+                           [&](const auto& value) { return contains(set->second, value); });
     }
 
     void activate(const ProfiledComponent& component) {
@@ -215,7 +215,7 @@ Expected<std::vector<std::string>> nameservers_of(const SystemProfile& profile) 
         if (const std::string problem = adopt_nameserver(server); !problem.empty())
             return failure(fmt::format("component '{}': path '{}': {}", shown(component.instance),
                                        shown(component.path), problem));
-        if (std::find(all.begin(), all.end(), server) == all.end()) all.push_back(std::move(server));
+        add_once(all, std::move(server));
     }
     if (all.empty()) all = RtmSpec{}.nameservers;
     return all;

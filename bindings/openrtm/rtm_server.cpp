@@ -10,6 +10,7 @@
 #include "bindings/openrtm/peers_json.hpp"
 #include "bindings/openrtm/rtm_wiring.hpp"
 #include "bindings/openrtm/rtm_word.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -208,7 +209,7 @@ void RtmServer::take_up(const std::vector<RtcLink>& joined) {
         const auto port = host_.system().port(link.path);
         if (!port) continue;
         const ConnectionSpec made = connection_of(link, (*port)->direction() == Direction::in);
-        if (std::find(wanted_.begin(), wanted_.end(), made) != wanted_.end()) continue;
+        if (contains(wanted_, made)) continue;
         const auto connected = act(Connect{made.from, made.to});
         host_.say(!connected, connected ? fmt::format("connected by an RTC or a tool: {} to {}", made.from, made.to)
                                         : fmt::format("an RTC or a tool has connected {} to {}, which is not shown: {}",

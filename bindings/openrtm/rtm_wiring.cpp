@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
+#include "engine/base/list.hpp"
 #include "engine/values/cdr.hpp"
 
 namespace nezumi::openrtm {
@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 2> own_types{"CameraIntrinsics", "SeenMar
 
 std::string rtm_type_id(const MessageType& type) {
     if (!type.is_compiled()) return type.rtm;
-    if (std::find(own_types.begin(), own_types.end(), type.name) != own_types.end()) return "";
+    if (contains(own_types, type.name)) return "";
     return fmt::format("IDL:RTC/{}:1.0", type.name);
 }
 

@@ -7,6 +7,7 @@
 
 #include "bindings/openrtm/rtc_profiles.hpp"
 #include "bindings/openrtm/rtm_wiring.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/records/write_record.hpp"
 #include "engine/values/value_text.hpp"
@@ -24,8 +25,7 @@ std::string problem_of(const RtmSpec& rtm, const std::string& path, const Value&
     if (!rtm_path("rtm:x." + *text) || text->find('.') != std::string::npos || text->find('/') != std::string::npos)
         return fmt::format("'{}' is not the name of a port", shown(*text));
     const std::string component = component_of(path);
-    if (path.find('.') == std::string::npos ||
-        std::find(rtm.exported.begin(), rtm.exported.end(), component) == rtm.exported.end())
+    if (path.find('.') == std::string::npos || !contains(rtm.exported, component))
         return "expected \"name.port\" of a component that is exported";
     return "";
 }
@@ -78,7 +78,7 @@ Expected<void> RtmWord::check(const SystemSpec& system) const {
     for (const Entry& entry : system.entries) names.push_back(name_of(entry));
     if (rtm != nullptr) {
         for (const std::string& name : rtm->exported) {
-            if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+            if (contains(names, name)) continue;
             return failure(fmt::format("rtm: field 'export': there is no component '{}'{}", shown(name),
                                        did_you_mean(name, names)),
                            rtm->place);
@@ -89,13 +89,12 @@ Expected<void> RtmWord::check(const SystemSpec& system) const {
         if (!is_from && !is_rtm_path(connection.to)) continue;
         const std::string& ours = is_from ? connection.to : connection.from;
         const std::string component = component_of(ours);
-        if (std::find(names.begin(), names.end(), component) == names.end()) {
+        if (!contains(names, component)) {
             return failure(
                 fmt::format("connect: there is no component '{}'{}", component, did_you_mean(component, names)),
                 connection.place);
         }
-        const bool is_exported =
-            rtm != nullptr && std::find(rtm->exported.begin(), rtm->exported.end(), component) != rtm->exported.end();
+        const bool is_exported = rtm != nullptr && contains(rtm->exported, component);
         if (is_exported) continue;
         return failure("connect: " + needs_export(is_from ? connection.from : connection.to, component),
                        connection.place);
@@ -117,7 +116,7 @@ void RtmWord::remove_missing(SystemSpec& system) const {
 void RtmWord::note_added(SystemSpec& system, std::string_view component, const Actor& who) const {
     const RtmSpec* rtm = find(system);
     if (rtm == nullptr || who != rtm_actor) return;
-    if (std::find(rtm->exported.begin(), rtm->exported.end(), component) != rtm->exported.end()) return;
+    if (contains(rtm->exported, component)) return;
     RtmSpec more = *rtm;
     more.exported.emplace_back(component);
     put(system, std::move(more));
@@ -134,7 +133,7 @@ Expected<void> RtmWord::check_connection(const System& system, const PeerSpec* s
     const std::string component = component_of(ends->ours);
     if (spec != nullptr) {
         const auto& exported = static_cast<const Spec*>(spec)->given.exported;
-        if (std::find(exported.begin(), exported.end(), component) != exported.end()) return {};
+        if (contains(exported, component)) return {};
     }
     return failure(needs_export(ends->ours == connection.from ? connection.to : connection.from, component));
 }

@@ -9,6 +9,7 @@
 #include "bindings/openrtm/profile_names.hpp"
 #include "bindings/openrtm/profile_parameter.hpp"
 #include "bindings/openrtm/profile_xml.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi::openrtm {
@@ -73,8 +74,7 @@ void write_actions(const ComponentProfile& profile, pugi::xml_node root) {
     pugi::xml_node actions = root.append_child("rtc:Actions");
     for (const ProfileCallback& callback : known_callbacks) {
         const bool is_there = callback.name.empty() ? std::string_view(callback.element) == "OnInitialize"
-                                                    : std::find(profile.callbacks.begin(), profile.callbacks.end(),
-                                                                callback.name) != profile.callbacks.end();
+                                                    : contains(profile.callbacks, callback.name);
         pugi::xml_node node = actions.append_child((std::string("rtc:") + callback.element).c_str());
         node.append_attribute("xsi:type") = "rtcDoc:action_status_doc";
         node.append_attribute("rtc:implemented") = is_there;

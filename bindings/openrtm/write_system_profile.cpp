@@ -13,6 +13,7 @@
 #include "bindings/openrtm/rtc_profiles.hpp"
 #include "bindings/openrtm/rtm_word.hpp"
 #include "bindings/openrtm/system_profile.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -60,7 +61,7 @@ ProfiledComponent& other_component(SystemProfile& profile, const std::string& in
 ProfiledEnd other_end(SystemProfile& profile, const RtmPath& path, const std::string& server) {
     const std::string instance = path.component.substr(path.component.rfind('/') + 1);
     auto& ports = other_component(profile, instance, path_text(server, path.component)).ports;
-    if (std::find(ports.begin(), ports.end(), path.port) == ports.end()) ports.push_back(path.port);
+    add_once(ports, path.port);
     return {instance, path.port};
 }
 

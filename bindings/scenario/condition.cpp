@@ -12,6 +12,7 @@
 #include "bindings/lua/syntax/globals.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "bindings/scenario/condition_source.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi {
 namespace {
@@ -36,8 +37,7 @@ bool knows_all_names(const std::string& text) {
     const auto& library = sandbox_names();
     const SyntaxTree tree(text);
     for (const GlobalUse& use : global_uses(tree)) {
-        if (use.name() != "_ENV" && std::find(library.begin(), library.end(), use.name()) == library.end())
-            return false;
+        if (use.name() != "_ENV" && !contains(library, use.name())) return false;
     }
     return true;
 }
@@ -129,7 +129,7 @@ bool Condition::observe(lua_State* lua, int index, Function& function) {
     }
     const std::string text = " " + source.constants + "return " + source.text;
     if (!knows_all_names(locals + text)) return refuse("it uses a <const> whose value is not a literal");
-    if (std::find(names.begin(), names.end(), "_ENV") != names.end()) locals += ", _ENV";
+    if (contains(names, "_ENV")) locals += ", _ENV";
     const std::string lines(static_cast<std::size_t>(std::max(0, info.linedefined - 1)), '\n');
     const auto chunk = compile(lines + locals + text, info.source + 1);
     if (!chunk || !load_chunk(lua, *chunk) || !protected_call(lua, 0, 1, condition_budget))

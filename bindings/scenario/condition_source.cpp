@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/base/list.hpp"
 #include "engine/ports/messages.hpp"
 
 namespace nezumi {
@@ -216,7 +217,7 @@ private:
         for (const SyntaxNode& name : *local.child) {
             const SyntaxNode* const value = initial_value(name);
             if (value == nullptr || !(is_logical(*value) || to_operator(*value))) continue;
-            if (std::find(assigned_.begin(), assigned_.end(), name.variable) != assigned_.end()) continue;
+            if (contains(assigned_, name.variable)) continue;
             locals_[name.variable] = decide(Decision::Kind::local, *value);
         }
     }

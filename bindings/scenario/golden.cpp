@@ -18,12 +18,12 @@ namespace {
 
 constexpr std::size_t time_column = ~std::size_t{0};
 
-using Fields = std::vector<std::string>;
+using RowTexts = std::vector<std::string>;
 
 // The rows as text, so that a text is never read as a number.
-std::vector<Fields> read_rows(const std::string& csv) {
+std::vector<RowTexts> read_rows(const std::string& csv) {
     std::istringstream in(csv);
-    std::vector<Fields> rows;
+    std::vector<RowTexts> rows;
     for (std::string row; read_csv_row(in, row);) {
         if (row.ends_with('\r')) row.pop_back();
         const auto fields = split_csv_row(row);
@@ -50,7 +50,7 @@ std::string Golden::text() const {
 Expected<void> Golden::compare(const std::string& csv) const {
     const auto golden = read_rows(csv);
     if (golden.empty()) return failure("the file is empty");
-    const Fields& names = golden.front();
+    const RowTexts& names = golden.front();
     for (const std::size_t id : table_.order()) {
         const std::string& name = table_.names()[id];
         if (std::none_of(names.begin(), names.end(), [&](const std::string& each) { return csv_text(each) == name; }))
@@ -64,7 +64,7 @@ Expected<void> Golden::compare(const std::string& csv) const {
         ids.push_back(field == "time" ? time_column : static_cast<std::size_t>(known - table_.names().begin()));
     }
     for (std::size_t row = 0; row < std::min(rows_.size(), golden.size() - 1); ++row) {
-        const Fields& expected = golden[row + 1];
+        const RowTexts& expected = golden[row + 1];
         for (std::size_t i = 0; i < names.size(); ++i) {
             const std::string actual = ids[i] == time_column ? rows_[row].time : cell(rows_[row], ids[i]);
             const std::string wanted = i < expected.size() ? expected[i] : "";

@@ -9,19 +9,12 @@
 #include <numeric>
 
 #include "engine/base/csv.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi {
 namespace {
 
 constexpr std::array<std::string_view, 4> fixed_columns{"scenario", "run", "seed", "passed"};
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-void add_once(std::vector<std::string>& names, const std::string& name) {
-    if (!has(names, name)) names.push_back(name);
-}
 
 // The columns of parameters: no two columns have the same name.
 std::vector<std::string> columns_of(const std::vector<std::string>& parameters,
@@ -29,8 +22,8 @@ std::vector<std::string> columns_of(const std::vector<std::string>& parameters,
     std::vector<std::string> columns;
     for (const std::string& name : parameters) {
         std::string column = name;
-        while (is_column_of_measures(column) || has(measures, column) || has(columns, column) ||
-               (column != name && has(parameters, column)))
+        while (is_column_of_measures(column) || contains(measures, column) || contains(columns, column) ||
+               (column != name && contains(parameters, column)))
             column.insert(0, "p.");
         columns.push_back(std::move(column));
     }
@@ -99,9 +92,7 @@ std::string text_of(const MeasureSummary& summary) {
     return text;
 }
 
-bool is_column_of_measures(std::string_view name) {
-    return std::find(fixed_columns.begin(), fixed_columns.end(), name) != fixed_columns.end();
-}
+bool is_column_of_measures(std::string_view name) { return contains(fixed_columns, name); }
 
 bool is_measures_csv(std::string_view text) {
     return text.starts_with(fmt::format("{}", fmt::join(fixed_columns, ",")));

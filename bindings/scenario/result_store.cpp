@@ -16,6 +16,7 @@
 #include "bindings/scenario/margins.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "engine/base/find_files.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/project/project.hpp"
@@ -39,7 +40,7 @@ bool is_read_by_runs(const fs::path& file) {
     static constexpr std::array<std::string_view, 13> endings{".lua", ".csv",  ".yaml", ".yml", ".pgm",  ".ppm", ".png",
                                                               ".jpg", ".jpeg", ".bmp",  ".tif", ".tiff", ".webp"};
     const std::string ending = file.extension().string();
-    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) return false;
+    if (!contains(endings, ending)) return false;
     // Files beside this one belong to a failure.
     std::error_code none;
     return !fs::exists(file.parent_path() / "failure.txt", none);

@@ -22,7 +22,7 @@ namespace {
 constexpr char functions_key = 0;
 constexpr char range_key = 0;
 
-constexpr double most_steps = 9007199254740992.0;  // 2^53: up to here, doubles hold all whole numbers
+constexpr double most_range_steps = 9007199254740992.0;  // 2^53: up to here, doubles hold all whole numbers
 
 const SweepRange* to_range(lua_State* lua, int index) {
     if (lua_type(lua, index) != LUA_TUSERDATA || lua_getmetatable(lua, index) == 0) return nullptr;
@@ -207,7 +207,7 @@ int ScenarioFile::range_word(lua_State* lua) {
         if (!fits) return failure("range: expected range(lo, hi) or range(lo, hi, step) with numbers");
         if (range.hi < range.lo || (stepped && !(range.step > 0)))
             return failure("range: expected lo <= hi, and a step above 0");
-        if (stepped && !((range.hi - range.lo) / range.step < most_steps))
+        if (stepped && !((range.hi - range.lo) / range.step < most_range_steps))
             return failure("range: the step is too small, its values would be equal: leave it out");
         range.whole = stepped && lua_isinteger(lua, 1) != 0 && lua_isinteger(lua, 3) != 0;
         return {};

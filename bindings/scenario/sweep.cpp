@@ -10,6 +10,7 @@
 #include <set>
 
 #include "bindings/lua/sandbox/random.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/system/system_spec.hpp"
@@ -128,7 +129,7 @@ std::vector<double> simpler_numbers(const SweepRange& range, double number) {
         const bool no_longer = length(candidate) <= length(number);
         const bool shorter = length(candidate) < length(number);
         if (candidate == number || !((nearer && no_longer) || shorter)) continue;
-        if (std::find(out.begin(), out.end(), candidate) == out.end()) out.push_back(candidate);
+        add_once(out, candidate);
     }
     return out;
 }

@@ -13,6 +13,7 @@
 #include "bindings/scenario/noted_files.hpp"
 #include "bindings/scenario/scenario_run.hpp"
 #include "engine/base/find_files.hpp"
+#include "engine/base/list.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/project/near_path.hpp"
 
@@ -246,7 +247,7 @@ Expected<std::vector<fs::path>> find_scenario_files(const std::vector<fs::path>&
     std::vector<fs::path> known;
     for (const fs::path& file : files) {
         const fs::path real = fs::weakly_canonical(file, none);
-        if (std::find(known.begin(), known.end(), real) != known.end()) continue;
+        if (contains(known, real)) continue;
         known.push_back(real);
         once.push_back(file);
     }

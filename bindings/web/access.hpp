@@ -9,7 +9,8 @@
 
 namespace nezumi::web {
 
-constexpr int forbidden = 403;  ///< the HTTP status of a request that is refused
+constexpr int forbidden = 403;    ///< the HTTP status of a request that is refused
+constexpr int unavailable = 503;  ///< and of one that can't be served now
 
 /// Returns 128 random bits as 32 hexadecimal digits; "" if the kernel gives none.
 std::string make_token();

@@ -19,8 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int unavailable = 503;
-
 std::string refusal(std::int64_t id, std::string_view why) {
     return json_text(Json{{"is", "answer"}, {"id", id}, {"ok", false}, {"text", why}});
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bindings/web/web_frame.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/thread.hpp"
 #include "engine/values/cdr.hpp"
 
@@ -31,9 +32,7 @@ Pictures::~Pictures() {
 
 void Pictures::look(const System& system, const std::vector<std::string>& ports, Clock::time_point now) {
     // A browser that watches again gets the present picture.
-    const auto is_unwatched = [&](const auto& each) {
-        return std::find(ports.begin(), ports.end(), each.first) == ports.end();
-    };
+    const auto is_unwatched = [&](const auto& each) { return !contains(ports, each.first); };
     if (std::erase_if(seen_, is_unwatched) > 0) {
         const std::lock_guard lock(mutex_);
         std::erase_if(taken_, is_unwatched);

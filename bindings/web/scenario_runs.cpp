@@ -14,6 +14,7 @@
 #include "bindings/web/edited_files.hpp"
 #include "engine/base/find_files.hpp"
 #include "engine/base/json_text.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/program.hpp"
 #include "engine/base/thread.hpp"
 #include "engine/base/trimmed.hpp"
@@ -268,13 +269,10 @@ std::vector<std::string> ScenarioRuns::recordings() const {
 }
 
 void ScenarioRuns::judge(ClientId client, std::int64_t id, const std::string& recording, const std::string& behavior) {
-    const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
     // Only what was found: no name leads out of the project.
-    if (!is_in(recordings(), recording))
+    if (!contains(recordings(), recording))
         return answer(client, id, false, "'" + shown(recording) + "' is not a recording of this project");
-    if (!behavior.ends_with(".lua") || !is_in(EditedFiles(project_).names(), behavior))
+    if (!behavior.ends_with(".lua") || !contains(EditedFiles(project_).names(), behavior))
         return answer(client, id, false, "'" + shown(behavior) + "' is not a behaviour of this project");
     const std::filesystem::path plot = project_ / kept_runs / ".judged.svg";
     std::error_code ignored;

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/base/list.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi::web {
@@ -63,7 +64,7 @@ HttpReply StaticFiles::get(std::string_view path) const {
     if (path.starts_with("lib/")) {
         path.remove_prefix(4);
         const std::string_view name = path.substr(0, path.find('/'));
-        if (std::find(libraries.begin(), libraries.end(), name) == libraries.end()) return not_found();
+        if (!contains(libraries, name)) return not_found();
         file = libraries_;
         is_library = true;
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <istream>
 
+#include "engine/base/list.hpp"
 #include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
 
@@ -66,13 +67,13 @@ Expected<std::vector<std::size_t>> read_header(const std::vector<std::string>& f
                            place);
         }
         const auto index = static_cast<std::size_t>(found - names.begin());
-        if (std::find(order.begin(), order.end(), index) != order.end()) {
+        if (contains(order, index)) {
             return failure(fmt::format("column '{}' occurs twice", field), place);
         }
         order.push_back(index);
     }
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        if (std::find(order.begin(), order.end(), i) == order.end()) {
+        if (!contains(order, i)) {
             return failure(fmt::format("column '{}' is missing; {}", columns[i].name, expected), place);
         }
     }

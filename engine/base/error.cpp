@@ -32,7 +32,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }
 
 // True if one of two names is a complete part of the other, ignoring case: "velocity" of "TimedVelocity2D".
-bool contains(std::string_view whole, std::string_view part) {
+bool has_part(std::string_view whole, std::string_view part) {
     const auto same = [](char a, char b) { return lower(a) == lower(b); };
     return std::search(whole.begin(), whole.end(), part.begin(), part.end(), same) != whole.end();
 }
@@ -89,7 +89,7 @@ std::string_view nearest(std::string_view name, const std::vector<std::string_vi
     for (const std::string_view candidate : candidates) {
         const auto [shorter, longer] = std::minmax(name, candidate, [](auto a, auto b) { return a.size() < b.size(); });
         if (shorter.size() < least || longer.size() - shorter.size() >= least_difference) continue;
-        if (!contains(longer, shorter)) continue;
+        if (!has_part(longer, shorter)) continue;
         least_difference = longer.size() - shorter.size();
         best = candidate;
     }

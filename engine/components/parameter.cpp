@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/list.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/components/parameter_fields.hpp"
 #include "engine/values/value_text.hpp"
@@ -83,7 +84,7 @@ ParameterSpec choice_spec(const ParameterSpec& spec) {
 std::string widget_broken(const ParameterSpec& spec) {
     if (spec.widget.empty() || spec.widget == "text") return "";
     const bool is_number = spec.initial.type().single().is_number();
-    if (std::find(widgets.begin(), widgets.end(), spec.widget) == widgets.end()) {
+    if (!contains(widgets, spec.widget)) {
         return fmt::format("there is no widget '{}'{}: expected one of {}", shown(spec.widget),
                            did_you_mean(spec.widget, {widgets.begin(), widgets.end()}), fmt::join(widgets, ", "));
     }
@@ -136,8 +137,7 @@ std::string bounds_broken(const ParameterSpec& spec, const Value& value) {
 
 // The error if the value is not one of the choices, or "".
 std::string choice_broken(const ParameterSpec& spec, const Value& value) {
-    if (spec.choices.empty() || std::find(spec.choices.begin(), spec.choices.end(), value) != spec.choices.end())
-        return "";
+    if (spec.choices.empty() || contains(spec.choices, value)) return "";
     std::string list;
     std::vector<std::string_view> texts;
     for (const Value& choice : spec.choices) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "engine/base/error.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/number_in.hpp"
 
 namespace nezumi {
@@ -24,7 +25,7 @@ tl::expected<GpioLevel, std::string> read_level(std::string_view word, const Gpi
     level.number = *number;
     level.value = *value;
     const auto& known = level.is_pwm ? outputs.pwm_channels : outputs.lines;
-    if (std::find(known.begin(), known.end(), level.number) == known.end())
+    if (!contains(known, level.number))
         return tl::unexpected(fmt::format("'{}': {} is not one of {} ({})", shown(word), level.number,
                                           level.is_pwm ? "pwm_channels" : "outputs", fmt::join(known, ", ")));
     if (level.is_pwm && !(level.value >= 0 && level.value <= 1))

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "engine/base/list.hpp"
 #include "engine/live/running_system.hpp"
 
 namespace nezumi {
@@ -54,7 +55,7 @@ void LiveReload::take_changes() {
 // This happens for a module that was missing: the script that failed without it was tried again before the watcher's
 // check.
 bool LiveReload::runs_already(const FileWatcher::Change& change) const {
-    if (std::find(failed_.begin(), failed_.end(), change.path) != failed_.end()) return false;
+    if (contains(failed_, change.path)) return false;
     const std::vector<ScriptFile> files = reloads_.files();
     const auto is_of = [&](const ScriptFile& file) { return file.path == change.path; };
     return std::any_of(files.begin(), files.end(), is_of) &&

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/base/list.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -35,9 +37,7 @@ Expected<std::unique_ptr<PastValues>> PastValues::begin(RunningSystem& live, std
 
 bool PastValues::extend(const RunningSystem& live, const std::vector<std::string>& names, double from, double to) {
     if (run_->generation() != live.generation() || from < from_ || to > known_) return false;
-    const auto has = [&](const std::string& name) {
-        return std::find(names_.begin(), names_.end(), name) != names_.end();
-    };
+    const auto has = [&](const std::string& name) { return contains(names_, name); };
     if (!std::all_of(names.begin(), names.end(), has)) return false;
     run_->extend(std::max(run_->system().when().tick, tick_at(live, to)));
     return true;

@@ -1,11 +1,11 @@
 // Stores the latest warnings and errors of a run.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <vector>
 
+#include "engine/base/list.hpp"
 #include "engine/base/log.hpp"
 
 namespace nezumi {
@@ -18,7 +18,7 @@ public:
     /// Stores a line if it is a warning or an error, and new: a past that is repeated logs its lines again.
     void take(const LogLine& line) {
         if (line.level != LogLevel::warn && line.level != LogLevel::error) return;
-        if (std::find(lines_.begin(), lines_.end(), line) != lines_.end()) return;
+        if (contains(lines_, line)) return;
         if (lines_.size() == most_lines) lines_.pop_front();
         lines_.push_back(line);
     }

@@ -1,8 +1,8 @@
 // Performs acts on a running system: those of perform.hpp, and those on scripts, entries and the whole system.
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
+#include "engine/base/list.hpp"
 #include "engine/live/past_run.hpp"
 #include "engine/live/prepare.hpp"
 #include "engine/live/running.hpp"
@@ -139,7 +139,7 @@ Expected<ActResult> RunningSystem::perform(const Add& act, const Actor& who, Pre
         }
     }
     for (const std::string& file : part.files) {
-        if (std::ranges::find(spec.files, file) == spec.files.end()) spec.files.push_back(file);
+        add_once(spec.files, file);
     }
     running_->behaviors->take_all(*prepared->behaviors);
     auto added = add_entry(*running_->system, part.entries.front(), spec, running_->makers);

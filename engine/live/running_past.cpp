@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/list.hpp"
 #include "engine/live/past_run.hpp"
 #include "engine/live/running.hpp"
 #include "engine/live/running_system.hpp"
@@ -106,7 +107,7 @@ Expected<void> RunningSystem::check_peers() const {
 void RunningSystem::leave_peers(const Actor& who) {
     std::vector<std::string> held;
     for (const ConnectionSpec& each : system().connections()) {
-        if (!is_remote(each.to) || std::find(held.begin(), held.end(), each.from) != held.end()) continue;
+        if (!is_remote(each.to) || contains(held, each.from)) continue;
         const auto port = running_->system->port(each.from);
         if (!port || (*port)->type() != message_of<Velocity2D>()) continue;
         if (act(Hold{each.from, Velocity2D{}, true}, who)) held.push_back(each.from);

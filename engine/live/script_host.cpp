@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/base/list.hpp"
 #include "engine/messages/message_catalog.hpp"
 #include "engine/tree/node.hpp"
 
@@ -70,8 +71,7 @@ std::vector<const MessageType*> defined_messages(const System& system) {
     std::vector<const MessageType*> all;
     for (const auto& component : system.components()) {
         for (const Port* port : ports_of(*component)) {
-            if (!port->type()->is_compiled() && std::find(all.begin(), all.end(), port->type()) == all.end())
-                all.push_back(port->type());
+            if (!port->type()->is_compiled() && !contains(all, port->type())) all.push_back(port->type());
         }
     }
     return all;

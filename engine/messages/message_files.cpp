@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/base/list.hpp"
 #include "engine/base/names.hpp"
 #include "engine/messages/idl_file.hpp"
 #include "engine/messages/message_catalog.hpp"
@@ -190,7 +191,7 @@ private:
 
     Expected<SourceText> included(std::string_view name, const SourceText& from) {
         const fs::path path(name);
-        const bool leaves = std::find(path.begin(), path.end(), "..") != path.end();
+        const bool leaves = contains(path, "..");
         if (path.is_absolute() || leaves || name.empty())
             return failure("expected a file beside it or in behaviors/messages/");
         // OpenRTM includes its files by another path: <rtm/idl/BasicDataType.idl>.

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <iterator>
 
+#include "engine/base/list.hpp"
+
 namespace nezumi {
 
 std::optional<Value> default_safe(const MessageType& type) {
@@ -122,9 +124,7 @@ void InPortBase::attach(OutPortBase& source) {
 }
 
 void InPortBase::move_behind(const OutPortBase& source, std::span<const OutPortBase* const> before) {
-    const auto is_before = [&](const Source& each) {
-        return std::find(before.begin(), before.end(), each.port) != before.end();
-    };
+    const auto is_before = [&](const Source& each) { return contains(before, each.port); };
     Source* own = find_source(source);
     std::rotate(std::find_if_not(sources_.begin(), own, is_before), own, own + 1);
 }

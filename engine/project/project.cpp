@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/base/list.hpp"
 #include "engine/base/visible.hpp"
 
 namespace nezumi {
@@ -76,7 +77,7 @@ std::string nearest_name(const ProjectFiles& files, const std::vector<fs::path>&
     }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     // An existing name was not accepted because it is a folder or the naming file itself, so it is not a suggestion.
-    if (std::find(candidates.begin(), candidates.end(), name) != candidates.end()) return "";
+    if (contains(candidates, name)) return "";
     return did_you_mean(name, candidates);
 }
 
@@ -145,7 +146,7 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
         const bool is_file = what == "a file";
         if (is_file && !(passes_over && passes_over(candidate))) return candidate;
         const std::string place = shown(candidate);
-        if (std::find(places.begin(), places.end(), place) != places.end()) continue;
+        if (contains(places, place)) continue;
         if (!what.empty() && !is_file && what != "a folder")
             other += fmt::format("; {} is {}, expected a file", place, what);
         places.push_back(place);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/list.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -75,7 +77,7 @@ FieldPath Fields::path_of(std::string_view name) const {
 }
 
 const Value* Fields::field(std::string_view name) {
-    if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) asked_.emplace_back(name);
+    add_once(asked_, name);
     return table_->find(name);
 }
 
@@ -282,7 +284,7 @@ void Fields::done(std::string (*hint)(std::string_view name)) {
         check_.unknown(path_of(key), more);
     };
     for (const auto& [key, unused] : table_->fields) {
-        if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) return refuse(key);
+        if (!contains(asked_, key)) return refuse(key);
     }
     if (!table_->elements.empty() && !elements_asked_) refuse("[1]");
 }

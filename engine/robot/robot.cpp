@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/base/list.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/robot/robot_parameters.hpp"
 #include "engine/world/frames.hpp"
@@ -22,8 +23,7 @@ Robot::Robot(std::string name, const RobotSpec& spec, const Limits& limits)
       actuators_(spec) {
     for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
         const auto& needs = spec.drive.needs;
-        if (std::find(needs.begin(), needs.end(), spec.sensors[i].name) != needs.end())
-            needed_.push_back({.sensor = i});
+        if (contains(needs, spec.sensors[i].name)) needed_.push_back({.sensor = i});
         if (spec.sensors[i].kind == SensorSpec::Kind::scan || spec.sensors[i].kind == SensorSpec::Kind::neighbours)
             scans_.push_back({.sensor = i});
     }

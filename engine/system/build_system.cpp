@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/base/list.hpp"
 #include "engine/base/schedule.hpp"
 #include "engine/components/quotes_hint.hpp"
 #include "engine/system/peer_word.hpp"
@@ -75,7 +76,7 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
     const std::string& driver = model->second.hardware.driver;
     if (!driver.empty() && !makers.drivers.empty()) {
         const std::vector<std::string_view> known(makers.drivers.begin(), makers.drivers.end());
-        if (std::find(known.begin(), known.end(), driver) == known.end())
+        if (!contains(known, driver))
             return failure(fmt::format("robot '{}': hardware: {}", entry.name, no_such("driver", driver, known)),
                            entry.place);
     }

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/base/list.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
 #include "engine/base/worker_pool.hpp"
@@ -217,7 +218,7 @@ Expected<void> System::connect_foreign(ConnectionSpec wanted) {
         return failure(
             fmt::format("{} to {}: this program can't connect to ports of other programs", wanted.from, wanted.to));
     if (auto ok = foreign_check_(*this, wanted); !ok) return ok;
-    if (std::find(foreign_.begin(), foreign_.end(), wanted) != foreign_.end())
+    if (contains(foreign_, wanted))
         return failure(fmt::format("{} is connected to {} already", wanted.from, wanted.to));
     foreign_.push_back(std::move(wanted));
     return {};

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "engine/base/list.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -120,7 +122,7 @@ std::vector<std::string> Wiring::peers(const Port& port) const {
     std::vector<std::string> all;
     const auto add = [&](const Component& component, const Port& peer) {
         std::string name = path(component, peer);
-        if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(std::move(name));
+        add_once(all, std::move(name));
     };
     for (const Connection& c : connections_) {
         if (c.from == &port) add(*c.to_component, *c.to);

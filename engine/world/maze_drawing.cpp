@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/base/list.hpp"
 #include "engine/world/maze.hpp"
 
 namespace nezumi {
@@ -156,9 +157,7 @@ std::vector<std::string> draw_maze(const Maze& maze, char post) {
         for (int column = 0; column <= 2 * maze.columns(); ++column) {
             const MazeCell cell{column / 2, maze.rows() - 1 - line / 2};
             if (column % 2 == 1 && line % 2 == 1) {
-                row += maze.marked_start == cell                                    ? " S "
-                       : std::find(goals.begin(), goals.end(), cell) != goals.end() ? " G "
-                                                                                    : "   ";
+                row += maze.marked_start == cell ? " S " : contains(goals, cell) ? " G " : "   ";
             } else if (!maze.stands(column, line)) {
                 row += column % 2 == 0 ? " " : "   ";
             } else if (line % 2 == 0) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/list.hpp"
+
 namespace nezumi::hw {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr double longest_braking = 3;  // [s]
 
 InPort<Velocity2D>* velocity_in(Robot& robot) {
     for (const PortSpec& port : robot.spec().ports) {
-        if (port.is_input && std::find(port.items.begin(), port.items.end(), "drive") != port.items.end())
+        if (port.is_input && contains(port.items, "drive"))
             return static_cast<InPort<Velocity2D>*>(robot.find_in_port(port.name));
     }
     return nullptr;

@@ -12,8 +12,8 @@
 namespace nezumi::hw {
 namespace {
 
-constexpr double idle = 1;          // [s] between checks while there is nothing to do
-constexpr double attention = 0.05;  // [s] between checks while the motors have power
+constexpr double idle = 1;            // [s] between checks while there is nothing to do
+constexpr double power_check = 0.05;  // [s] between checks while the motors have power
 
 }  // namespace
 
@@ -192,7 +192,7 @@ double Motors::run() {
     } else if (is_new) {
         guard_.beat();
     }
-    return state_.power ? attention : idle;
+    return state_.power ? power_check : idle;
 }
 
 void Motors::end() {

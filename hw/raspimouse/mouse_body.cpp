@@ -12,7 +12,7 @@
 namespace nezumi::hw {
 namespace {
 
-std::vector<DevicePath> led_nodes(const DevicePath& folder) {
+std::vector<DevicePath> mouse_led_nodes(const DevicePath& folder) {
     constexpr int count = 4;
     std::vector<DevicePath> nodes;
     nodes.reserve(count);
@@ -84,7 +84,7 @@ MouseBody::MouseBody(const RobotSpec& spec, const DeviceRoots& roots, std::uniqu
       counters_(std::make_unique<WheelCounters>(roots.in_dev(), motors_->commanded())),
       light_sensors_(std::make_unique<LightSensors>(roots.in_dev())),
       switches_(std::make_unique<Switches>(roots.in_dev())),
-      lights_(std::make_unique<Lights>(led_nodes(roots.in_dev()), encode_switch(true), with_mouse_advice)),
+      lights_(std::make_unique<Lights>(mouse_led_nodes(roots.in_dev()), encode_switch(true), with_mouse_advice)),
       supply_(std::make_unique<Supply>(roots.in_sys() + "/class/hwmon")) {}
 
 WheelReading MouseBody::read_wheels(const Time& now, double /*period*/) {

@@ -12,6 +12,7 @@
 #include "bindings/cli/base/json_text.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/files/check_files.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/project/project.hpp"
@@ -65,7 +66,7 @@ public:
     void add(std::vector<Error> errors) {
         for (Error& error : errors) {
             // A script that several systems name is wrong once.
-            if (std::find(errors_.begin(), errors_.end(), error) != errors_.end()) continue;
+            if (contains(errors_, error)) continue;
             if (!json_) fmt::print("{}\n", visible_message(describe(error)));
             errors_.push_back(std::move(error));
             status_ = std::max(status_, static_cast<int>(exit_failed));

@@ -1,20 +1,20 @@
 // `nezumi completion`: completions of the command line for a shell.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/shell/completion.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi::cli {
 namespace {
 
 int write_completion(const SubCommand& program, const std::string& shell) {
     const auto& known = completed_shells();
-    if (std::find(known.begin(), known.end(), shell) == known.end()) {
+    if (!contains(known, shell)) {
         return refuse(fmt::format("completion: there is no completion for the shell '{}'{}; known are {}", shown(shell),
                                   did_you_mean(shell, known), fmt::join(known, ", ")));
     }

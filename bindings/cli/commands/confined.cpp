@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -14,6 +13,7 @@
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/web/classroom/confinement.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/module.hpp"
 
 namespace nezumi::cli {
@@ -37,8 +37,7 @@ int run_confined(const ConfinedOptions& options) {
     if (none || !std::filesystem::is_directory(folder, none))
         return refuse(fmt::format("confined: there is no folder {}", shown(options.folder)));
     // In a class, pupils name files from their project, and messages name them so.
-    if (std::find(options.words.begin(), options.words.end(), "--page-on-input") != options.words.end())
-        std::filesystem::current_path(folder, none);
+    if (contains(options.words, "--page-on-input")) std::filesystem::current_path(folder, none);
     // Other files that programs write go into the folder, too.
     for (const char* name : {"HOME", "TMPDIR", "XDG_RUNTIME_DIR", "XDG_STATE_HOME"})
         setenv(name, (folder / ".nezumi").c_str(), 1);

@@ -15,6 +15,7 @@
 #include "bindings/lua/syntax/first_comment.hpp"
 #include "bindings/scenario/test_plan.hpp"
 #include "engine/base/find_files.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/project/project.hpp"
@@ -80,7 +81,7 @@ void print(const Listing& listing, std::string_view indent) {
 }
 
 int list(const std::string& kind) {
-    if (!kind.empty() && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    if (!kind.empty() && !contains(kinds, kind))
         return refuse(fmt::format("list: there is no kind '{}'{}: expected {}", shown(kind),
                                   did_you_mean(kind, {kinds.begin(), kinds.end()}), fmt::join(kinds, ", ")));
     const Project project = Project::of("here", installed_folders());

@@ -1,8 +1,6 @@
 // `nezumi types`: the message types, as a table or as annotations for an editor.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "bindings/lua/stubs/annotations.hpp"
 #include "bindings/lua/stubs/type_table.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
+#include "engine/base/list.hpp"
 #include "engine/messages/message_files.hpp"
 
 namespace nezumi::cli {
@@ -29,7 +28,7 @@ int show_all(const MessageFiles& files) {
     const std::vector<std::string> own = of_project.names("here");
     std::vector<std::string> installed;
     for (std::string& name : files.names("here")) {
-        if (std::find(own.begin(), own.end(), name) == own.end()) installed.push_back(std::move(name));
+        if (!contains(own, name)) installed.push_back(std::move(name));
     }
     fmt::print("{}", type_table(of_project.all("here")));
     if (!installed.empty())

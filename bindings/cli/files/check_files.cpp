@@ -21,6 +21,7 @@
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_component.hpp"
 #include "bindings/scenario/scenario_file.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/system/peer_word.hpp"
 #include "engine/system/script_drivers.hpp"
@@ -119,9 +120,7 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     if (auto ok = add_script_drivers(*spec); !ok) return {ok.error()};
     if (!makers.world) leave_out_bodies(*spec, makers);
     std::vector<Error> errors;
-    const auto add = [&errors](Error error) {
-        if (std::find(errors.begin(), errors.end(), error) == errors.end()) errors.push_back(std::move(error));
-    };
+    const auto add = [&errors](Error error) { add_once(errors, std::move(error)); };
     makers.behavior = [&](const BehaviorEntry& entry,
                           const MakerContext& maker) -> Expected<std::unique_ptr<Component>> {
         auto source = read_shown(entry.path, project);

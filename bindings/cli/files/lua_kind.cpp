@@ -9,14 +9,10 @@
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/syntax/globals.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi::cli {
 namespace {
-
-template <class Names>
-bool has(const Names& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 // True if the file ends by returning a value, as modules do.
 bool returns(const SyntaxTree& tree) {
@@ -45,8 +41,8 @@ LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
         if (use.name() == "environment") return LuaKind::environment;
         if (use.name() == "calibration") return LuaKind::calibration;
         if (use.assigned && use.name().starts_with("on_")) declares = true;
-        if (has(script_globals(), use.name()) && use.name() != "require") ++of_behaviors;
-        if (has(words, use.name())) ++of_systems;
+        if (contains(script_globals(), use.name()) && use.name() != "require") ++of_behaviors;
+        if (contains(words, use.name())) ++of_systems;
     }
     if (folder == "messages") return LuaKind::message;
     if (!declares && folder == "robots") return LuaKind::robot;
@@ -64,7 +60,7 @@ Error explain_system_error(Error error) {
         error.message += ": it is for scenarios; try `nezumi test`";
     } else if (name == "robot_model") {
         error.message += ": it is for robot files; in a system file write `robot NAME { model = ... }`";
-    } else if (name.starts_with("on_") || std::find(globals.begin(), globals.end(), name) != globals.end()) {
+    } else if (name.starts_with("on_") || contains(globals, name)) {
         error.message += ": it is for behaviours; in a system file write `behavior NAME { script = ... }`";
     }
     return error;

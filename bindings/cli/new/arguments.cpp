@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bindings/lua/syntax/lexer.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/number_in.hpp"
@@ -109,8 +110,7 @@ Expected<void> take_new_name(std::string_view option, const std::string& name, s
         return failure(fmt::format("{} '{}': a name consists of letters, digits and _, and does not begin with a digit",
                                    option, shown(name)));
     }
-    if (std::find(taken.begin(), taken.end(), name) != taken.end())
-        return failure(fmt::format("{} '{}': the name is given twice", option, shown(name)));
+    if (contains(taken, name)) return failure(fmt::format("{} '{}': the name is given twice", option, shown(name)));
     taken.push_back(name);
     return {};
 }
@@ -163,7 +163,7 @@ Expected<NewParameter> read_new_parameter(const std::string& given) {
             if (text[end] != ',') continue;
             const std::string_view word = option_after(text, end);
             if (word.empty()) continue;
-            if (std::find(known.begin(), known.end(), word) != known.end()) {
+            if (contains(known, word)) {
                 next = word;
                 break;
             }

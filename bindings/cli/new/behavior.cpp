@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "bindings/console/session.hpp"
 #include "bindings/lua/script/behavior_maker.hpp"
 #include "bindings/lua/script/check_script.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -42,7 +42,7 @@ Expected<void> read_ports(std::string_view option, const std::vector<std::string
 Expected<void> read_callbacks(const std::vector<std::string>& given, std::vector<std::string>& callbacks) {
     for (const std::string& name : given) {
         const auto& known = hook_names();
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
+        if (!contains(known, name)) {
             return failure(fmt::format("--callback '{}': there is no such callback{}; known are {}", shown(name),
                                        did_you_mean(name, known), fmt::join(known, ", ")));
         }

@@ -11,6 +11,7 @@
 #include "bindings/lua/files/system_words.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_globals.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
@@ -97,8 +98,7 @@ std::string callbacks_text(const BehaviorParts& parts) {
     std::string text;
     for (const std::string_view callback : hook_names()) {
         const bool executes = callback == to_text(Hook::on_execute);
-        if (!executes && std::find(parts.callbacks.begin(), parts.callbacks.end(), callback) == parts.callbacks.end())
-            continue;
+        if (!executes && !contains(parts.callbacks, callback)) continue;
         if (!text.empty()) text += "\n";
         text += executes
                     ? execution_text(parts.inputs, parts.outputs)
@@ -121,8 +121,7 @@ std::string comment_text(std::string_view dashes, std::string_view lines) {
 }
 
 bool is_taken_word(const std::string& name) {
-    const auto has = [&](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
-    return is_keyword(name) || has(script_globals()) || has(sandbox_names());
+    return is_keyword(name) || contains(script_globals(), name) || contains(sandbox_names(), name);
 }
 
 std::string behavior_text(const BehaviorParts& parts) {

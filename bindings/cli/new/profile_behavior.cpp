@@ -11,6 +11,7 @@
 
 #include "bindings/journal/value_json.hpp"
 #include "bindings/openrtm/rtm_wiring.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
@@ -46,12 +47,11 @@ std::string new_name(std::string_view given, bool may_be_keyword, std::vector<st
     const auto& members = names_taken_by_components();
     const bool is_keyword_alone = is_keyword(name);
     if ((is_keyword_alone && !may_be_keyword) || (!is_keyword_alone && is_taken_word(name)) ||
-        std::find(members.begin(), members.end(), name) != members.end()) {
+        contains(members, name)) {
         name = "my_" + name;
     }
     const std::string first = name;
-    for (int i = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++i)
-        name = fmt::format("{}_{}", first, i);
+    for (int i = 2; contains(taken, name); ++i) name = fmt::format("{}_{}", first, i);
     taken.push_back(name);
     return name;
 }

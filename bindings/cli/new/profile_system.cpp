@@ -14,6 +14,7 @@
 #include "bindings/openrtm/restore_system.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
 #include "bindings/openrtm/rtm_spec.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
@@ -81,8 +82,7 @@ private:
         if (!is_identifier(name) || is_reserved_name(name)) name = *script;
         if (is_reserved_name(name)) name = "my_" + name;
         const std::string first = name;
-        for (int i = 2; std::find(names_.begin(), names_.end(), name) != names_.end(); ++i)
-            name = fmt::format("{}_{}", first, i);
+        for (int i = 2; contains(names_, name); ++i) name = fmt::format("{}_{}", first, i);
         names_.push_back(name);
         behaviors_ += fmt::format("behavior {} {{ script = {}", lua_quoted(name), lua_quoted(*script));
         write_sets(component, *loaded);
@@ -148,8 +148,7 @@ private:
             for (const std::string& instance : {source.instance, target.instance}) {
                 const auto known = known_.find(instance);
                 const bool is_outside = !known_.contains(source.instance) || !known_.contains(target.instance);
-                if (known != known_.end() && is_outside &&
-                    std::find(exported_.begin(), exported_.end(), known->second.name) == exported_.end()) {
+                if (known != known_.end() && is_outside && !contains(exported_, known->second.name)) {
                     exported_.push_back(known->second.name);
                 }
             }

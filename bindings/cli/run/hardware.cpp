@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <utility>
 #include <variant>
 
 #include "bindings/lua/files/calibration_file.hpp"
+#include "engine/base/list.hpp"
 #include "engine/live/twins.hpp"
 #include "engine/system/build_system.hpp"
 #include "hw/drivers.hpp"
@@ -30,21 +30,17 @@ Expected<void> check_names(const SystemSpec& spec, const std::vector<std::string
         if (may_be_real(entry, drivers)) known.push_back(name_of(entry));
     }
     for (const std::string& name : names) {
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        if (contains(known, name)) continue;
         return failure(fmt::format("--hw: there is no robot or device '{}' in {}{}", shown(name), spec.file,
                                    did_you_mean(name, known)));
     }
     return {};
 }
 
-bool is_among(const std::string& name, const std::vector<std::string>& names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 // True if the file allows it to be real; an error if it was requested by name but is not allowed.
 template <class AnEntry>
 Expected<bool> is_free(std::string_view kind, const AnEntry& entry, const std::vector<std::string>& names) {
-    const bool is_named = is_among(entry.name, names);
+    const bool is_named = contains(names, entry.name);
     if (!names.empty() && !is_named) return false;
     if (entry.backend != simulated) return true;
     if (!is_named) return false;
@@ -78,7 +74,7 @@ Expected<bool> choose(ComponentEntry& component, const SystemSpec& spec, const s
     const auto type = drivers.find(component.type);
     if (type == drivers.end() || is_on_simulated(component, spec)) return false;
     // It is requested together with its robot.
-    auto free = is_free("component", component, is_among(component.on, names) ? std::vector<std::string>{} : names);
+    auto free = is_free("component", component, contains(names, component.on) ? std::vector<std::string>{} : names);
     if (free && *free && component.backend.empty()) component.backend = type->second.begin()->first;
     return free;
 }

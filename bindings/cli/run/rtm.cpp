@@ -58,7 +58,7 @@ Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void
              [rings] {
                  const std::uint64_t one = 1;
                  // If the counter is full, the file is readable too.
-                 if (write(rings, &one, sizeof one) < 0) return;
+                 if (::write(rings, &one, sizeof one) < 0) return;
              },
          .create = [&live](const openrtm::RtcRequest& request) { return add(live, request); },
          .modules = [project = live.project(), file = live.spec().file] { return modules_of(project, file); },

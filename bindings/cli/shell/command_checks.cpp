@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <system_error>
 
 #include "engine/base/error.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/number_in.hpp"
 
 namespace nezumi::cli {
@@ -18,7 +18,7 @@ namespace {
 const Option* find_option(const SubCommand& command, const std::string& word) {
     for (const Option& option : command.options) {
         const auto names = names_of(option);
-        if (!is_positional(option) && std::find(names.begin(), names.end(), word) != names.end()) return &option;
+        if (!is_positional(option) && contains(names, word)) return &option;
     }
     return nullptr;
 }

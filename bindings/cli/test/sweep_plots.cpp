@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "bindings/scenario/failure_folder.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/number_in.hpp"
 
 namespace nezumi::cli {
@@ -54,7 +55,7 @@ private:
 std::vector<std::string> different(const std::vector<Sample>& samples, std::string Sample::*text) {
     std::vector<std::string> found;
     for (const Sample& sample : samples) {
-        if (std::find(found.begin(), found.end(), sample.*text) == found.end()) found.push_back(sample.*text);
+        add_once(found, sample.*text);
     }
     const auto is_number = [](const std::string& each) { return finite_in(each).has_value(); };
     if (std::all_of(found.begin(), found.end(), is_number))

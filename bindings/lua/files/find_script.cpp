@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -11,14 +10,10 @@
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/syntax/globals.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi {
 namespace {
-
-template <class Names>
-bool has(const Names& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 // Words that only a system file contains; others, such as `map` or `rate`, may be mistakes in a behaviour.
 constexpr std::array<std::string_view, 5> naming_words{"arena", "robot", "behavior", "component", "connect"};
@@ -34,9 +29,9 @@ bool is_system(std::string_view text) {
         if (use.assigned && use.name().starts_with("on_")) return false;
         if (use.name() == "require") {
             requires_something = true;
-        } else if (!has(sandbox_names(), use.name())) {
-            ++(has(system_word_names(), use.name()) ? of_systems : of_others);
-            names_things = names_things || has(naming_words, use.name());
+        } else if (!contains(sandbox_names(), use.name())) {
+            ++(contains(system_word_names(), use.name()) ? of_systems : of_others);
+            names_things = names_things || contains(naming_words, use.name());
         }
     }
     return (names_things && of_systems > of_others) || (requires_something && of_others == 0);

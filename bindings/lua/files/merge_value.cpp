@@ -54,7 +54,7 @@ void erase(FileTable& table, std::string_view name) {
     std::erase_if(table.fields, [&](const FileField& field) { return field.name == name; });
 }
 
-std::string nearest(std::string_view name, const FileTable& table) {
+std::string nearest_field(std::string_view name, const FileTable& table) {
     return did_you_mean(name, table.fields, &FileField::name);
 }
 
@@ -72,10 +72,11 @@ Value merge(FieldCheck* check, const Value& base, const Value& changes, const Fi
         inner.push_back(change.name);
         const Value* before = from->find(change.name);
         if (check != nullptr && is_false(change.value) && before == nullptr && is_table_of_names(path))
-            check->wrong(inner, fmt::format("can't be removed: it does not exist{}", nearest(change.name, *from)));
+            check->wrong(inner,
+                         fmt::format("can't be removed: it does not exist{}", nearest_field(change.name, *from)));
         if (check != nullptr && before == nullptr && is_table_of_names(path) && !is_whole(path[0], change.value)) {
             // A mistake in a name, unless no name is near; then the reader reports what a new one needs.
-            if (const std::string near = nearest(change.name, *from); !near.empty()) check->unknown(inner, near);
+            if (const std::string near = nearest_field(change.name, *from); !near.empty()) check->unknown(inner, near);
         }
         // If the changes have both, the reader reports that they exclude each other.
         for (const auto& [one, other] : alternatives) {

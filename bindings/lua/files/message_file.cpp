@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/syntax/first_comment.hpp"
 #include "bindings/lua/values/bridge.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/names.hpp"
 #include "engine/ports/port_base.hpp"
 #include "engine/records/fields.hpp"
@@ -188,8 +188,7 @@ private:
             const auto* choice = each.get_if<std::string>();
             if (choice == nullptr || choice->empty())
                 return fmt::format("has the choice {}, expected a string", to_lua(each));
-            if (std::find(field.choices.begin(), field.choices.end(), *choice) != field.choices.end())
-                return fmt::format("has the choice '{}' twice", shown(*choice));
+            if (contains(field.choices, *choice)) return fmt::format("has the choice '{}' twice", shown(*choice));
             field.choices.push_back(*choice);
         }
         if (!table.fields.empty() || field.choices.empty()) return "expected choices, as { \"red\", \"green\" }";

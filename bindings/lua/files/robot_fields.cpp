@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/list.hpp"
 #include "engine/base/names.hpp"
 #include "engine/devices/wired_device.hpp"
 #include "engine/records/read_record.hpp"
@@ -146,7 +147,7 @@ void check_carriers(FieldCheck& check, const RobotSpec& spec) {
         if (actuator.kind == ActuatorSpec::Kind::servo) servos.push_back(actuator.name);
     }
     for (const SensorSpec& sensor : spec.sensors) {
-        if (sensor.on.empty() || std::find(servos.begin(), servos.end(), sensor.on) != servos.end()) continue;
+        if (sensor.on.empty() || contains(servos, sensor.on)) continue;
         check.wrong({"sensors", sensor.name, "on"}, fmt::format("expected a servo, but there is no servo '{}'{}",
                                                                 sensor.on, did_you_mean(sensor.on, servos)));
     }
@@ -156,7 +157,7 @@ void check_needs(FieldCheck& check, const RobotSpec& spec) {
     std::vector<std::string_view> names;
     for (const SensorSpec& sensor : spec.sensors) names.push_back(sensor.name);
     for (const std::string& need : spec.drive.needs) {
-        if (std::find(names.begin(), names.end(), need) == names.end())
+        if (!contains(names, need))
             check.wrong({"drive", "needs"}, fmt::format("expected sensors, but there is no sensor '{}'{}", shown(need),
                                                         did_you_mean(need, names)));
     }
@@ -165,7 +166,7 @@ void check_needs(FieldCheck& check, const RobotSpec& spec) {
 void check_hardware(FieldCheck& check, const RobotSpec& spec, const std::vector<std::string>& drivers) {
     const std::string& driver = spec.hardware.driver;
     const std::vector<std::string_view> known(drivers.begin(), drivers.end());
-    if (!driver.empty() && !known.empty() && std::find(known.begin(), known.end(), driver) == known.end()) {
+    if (!driver.empty() && !known.empty() && !contains(known, driver)) {
         std::string hint = did_you_mean(driver, known);
         if (hint.empty()) hint = fmt::format("; there are {}", fmt::join(known, ", "));
         check.wrong({"hardware", "driver"},
@@ -177,7 +178,7 @@ void check_hardware(FieldCheck& check, const RobotSpec& spec, const std::vector<
     }
     for (const auto& [field, button] :
          {std::pair("start", &spec.hardware.start), {"shutdown", &spec.hardware.shutdown}}) {
-        if (button->empty() || std::find(buttons.begin(), buttons.end(), *button) != buttons.end()) continue;
+        if (button->empty() || contains(buttons, *button)) continue;
         check.wrong({"hardware", field}, fmt::format("expected a button, but there is no button '{}'{}", shown(*button),
                                                      did_you_mean(*button, buttons)));
     }
@@ -281,7 +282,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const Value& value, const RobotFi
     });
     for_each_named(fields, "ports", [&](const std::string& name, Fields& entry) {
         const auto& words = names_taken_by_robots();
-        if (std::find(words.begin(), words.end(), name) != words.end()) {
+        if (contains(words, name)) {
             check.wrong_at(
                 entry.path(),
                 fmt::format("port '{0}': the name is already used: robot.{0} is a member of every component", name));

@@ -14,6 +14,7 @@
 #include "bindings/lua/files/robot_fields.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/base/list.hpp"
 #include "engine/devices/wired_device.hpp"
 
 namespace nezumi {
@@ -73,7 +74,7 @@ public:
         files.insert(files.end(), tables_.begin(), tables_.end());
         if (base_ == nullptr) return files;
         for (std::string& file : base_->files()) {
-            if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(std::move(file));
+            add_once(files, std::move(file));
         }
         return files;
     }
@@ -168,7 +169,7 @@ private:
         const std::string shown = project_.shown(*path);
         std::vector<std::string> above = above_;
         above.push_back(shown_);
-        if (std::find(above.begin(), above.end(), shown) != above.end()) {
+        if (contains(above, shown)) {
             refuse(fmt::format("{} can't be its own base; the bases are {}, {}", shown, fmt::join(above, ", "), shown));
             return {};
         }
@@ -204,7 +205,7 @@ private:
         const std::string shown = project_.shown(*path);
         const auto text = project_.read(*path);
         if (!text) return Unexpected(text.error());
-        if (std::find(tables_.begin(), tables_.end(), shown) == tables_.end()) tables_.push_back(shown);
+        add_once(tables_, shown);
         return read_csv_response(*text, shown);
     }
 

@@ -8,6 +8,7 @@
 
 #include "bindings/lua/files/find_script.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
 #include "engine/components/component.hpp"
@@ -56,7 +57,7 @@ Unexpected repeated(const WordCall& call, const Place& first) {
 
 bool is_taken_name(std::string_view name) {
     const auto& library = sandbox_names();
-    return is_reserved_name(name) || std::find(library.begin(), library.end(), name) != library.end();
+    return is_reserved_name(name) || contains(library, name);
 }
 
 SystemWords::SystemWords(const Project& project, PeerWords words, SystemSpec start)
@@ -65,9 +66,7 @@ SystemWords::SystemWords(const Project& project, PeerWords words, SystemSpec sta
     for (const ConnectionSpec& connection : spec_.connections) wired_.emplace(connection.from, connection.to);
 }
 
-void SystemWords::note_file(const std::string& shown) {
-    if (std::find(spec_.files.begin(), spec_.files.end(), shown) == spec_.files.end()) spec_.files.push_back(shown);
-}
+void SystemWords::note_file(const std::string& shown) { add_once(spec_.files, shown); }
 
 Expected<void> SystemWords::check_name(const WordCall& call, const std::string& name) const {
     const std::string what = fmt::format("{} '{}'", call.word, name);
@@ -302,7 +301,7 @@ Expected<void> SystemWords::finish(bool is_part) const {
     for (const RobotEntry* robot : entries_of<RobotEntry>(spec_)) robots.push_back(robot->name);
     for (const ComponentEntry* component : entries_of<ComponentEntry>(spec_)) {
         if (component->on.empty()) continue;
-        if (std::find(robots.begin(), robots.end(), component->on) != robots.end()) continue;
+        if (contains(robots, component->on)) continue;
         return failure(fmt::format("component '{}': field 'on': there is no robot '{}'{}", component->name,
                                    component->on, did_you_mean(component->on, robots)),
                        component->place);

@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/base/list.hpp"
 #include "engine/ports/setting.hpp"
 
 namespace nezumi {
@@ -110,14 +109,14 @@ Expected<TeleportOf> read_teleport(const Objects& objects, RunningSystem& curren
     // It is not a robot: an object, a marker, or a name that is nearly that of a marker.
     const std::string name(lua_type(L, thing) == LUA_TSTRING ? lua_tostring(L, thing) : "");
     const std::vector<std::string> things = thing_names(current.system());
-    if (std::find(things.begin(), things.end(), name) != things.end()) {
+    if (contains(things, name)) {
         auto move = read_move_thing(current.system(), name, L, pose);
         if (!move) return Unexpected(move.error());
         return TeleportOf{&current, std::move(*move)};
     }
     const std::vector<std::string> markers = marker_names(current.system());
     const std::vector<std::string_view> names(markers.begin(), markers.end());
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
+    if (contains(names, name)) {
         auto move = read_move(current.system(), name, L, pose);
         if (!move) return Unexpected(move.error());
         return TeleportOf{&current, std::move(*move)};

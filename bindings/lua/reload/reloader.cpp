@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "bindings/lua/script/behavior_maker.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi {
 namespace {
@@ -20,10 +21,6 @@ std::string normal(const std::string& path) {
     std::error_code problem;
     const auto full = std::filesystem::weakly_canonical(path, problem);
     return problem ? path : full.string();
-}
-
-bool contains(const std::vector<std::string>& all, const std::string& one) {
-    return std::find(all.begin(), all.end(), one) != all.end();
 }
 
 Error still_running(Error error, int version) {

@@ -17,7 +17,7 @@ struct Range {
 };
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): written once, before the handler that reads it
-constinit Range lua_text;
+constinit Range lua_code;
 
 int look_into_library(dl_phdr_info* library, std::size_t, void*) {
     for (int i = 0; i < library->dlpi_phnum; ++i) {
@@ -27,7 +27,7 @@ int look_into_library(dl_phdr_info* library, std::size_t, void*) {
         const Range text{begin, begin + segment.p_memsz};
         if (!text.holds(reinterpret_cast<std::uintptr_t>(&lua_newstate))) continue;
         // If Lua is linked statically, its code can't be distinguished from ours.
-        if (!text.holds(reinterpret_cast<std::uintptr_t>(&was_in_lua))) lua_text = text;
+        if (!text.holds(reinterpret_cast<std::uintptr_t>(&was_in_lua))) lua_code = text;
         return 1;
     }
     return 0;
@@ -49,7 +49,7 @@ bool was_in_lua(const void* context) {
     const std::uintptr_t place = 0;
     static_cast<void>(machine);
 #endif
-    return lua_text.holds(place);
+    return lua_code.holds(place);
 }
 
 }  // namespace nezumi

@@ -14,6 +14,7 @@
 #include "bindings/lua/syntax/first_comment.hpp"
 #include "bindings/lua/syntax/tail_calls.hpp"
 #include "bindings/lua/values/set_plain.hpp"
+#include "engine/base/list.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/system/system_spec.hpp"
 
@@ -165,7 +166,7 @@ Expected<const MessageType*> Script::find_message(std::string_view name) {
     for (const SourceText& file : read) {
         if (inheritance_.required != nullptr) inheritance_.required->emplace_back(file);
         const ScriptFile used(file);
-        if (std::find(modules_.begin(), modules_.end(), used) == modules_.end()) modules_.push_back(used);
+        add_once(modules_, used);
     }
     if (found) return found->type;
     // Errors in a message's file are reported at their own location.

@@ -8,6 +8,7 @@
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/syntax/globals.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi {
 namespace {
@@ -50,7 +51,7 @@ void find_local_callbacks(const SyntaxTree& tree, const std::string& file, std::
     for (const SyntaxNode& node : tree.nodes()) {
         const bool is_local = node.is(Kind::declaration) &&
                               (node.parent->is(Kind::local_function) || node.parent->parent->is(Kind::local));
-        if (!is_local || std::find(names.begin(), names.end(), node.word_text()) == names.end()) continue;
+        if (!is_local || !contains(names, node.word_text())) continue;
         errors.push_back(
             {"'" + std::string(node.word_text()) + "' is local, so it would never be called: leave out `local`",
              {file, node.word->line, node.word->column}});

@@ -7,6 +7,7 @@
 #include "bindings/lua/script/script.hpp"
 #include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/script/script_ports.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/names.hpp"
 #include "engine/tree/member.hpp"
 
@@ -19,10 +20,6 @@ constexpr std::size_t most_of_a_kind = 1000;
 Expected<void> check_count(std::size_t count, std::string_view kind, std::string_view name, std::string_view kinds) {
     if (count < most_of_a_kind) return {};
     return failure(fmt::format("{} '{}': a component has at most {} {}", kind, name, most_of_a_kind, kinds));
-}
-
-bool contains(const std::vector<std::string_view>& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 // "input 'in'" for the first declaration with this name, and its line.

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/base/list.hpp"
+
 namespace nezumi {
 namespace {
 
 constexpr std::string_view environment = "_ENV";
-
-bool contains(const std::vector<std::string_view>& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 template <class Named>
 const Named* find(const std::vector<Named>& list, std::string_view name) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bindings/lua/syntax/syntax_tree.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi {
 namespace {
@@ -30,7 +31,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> operator
 // Calls that declare; all but the default of a parameter says something to people and machines alone.
 bool is_declaration(std::string_view name) {
     constexpr std::array<std::string_view, 6> names{"param", "input", "output", "about", "command", "require"};
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return contains(names, name);
 }
 
 bool only_tells(const SyntaxNode& callee) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bindings/lua/sandbox/text.hpp"
+#include "engine/base/list.hpp"
 #include "engine/values/limits.hpp"
 
 namespace nezumi {
@@ -132,7 +133,7 @@ bool check_names(lua_State* L, int index, const std::vector<std::string_view>& n
     while (lua_next(L, index) != 0) {
         lua_pop(L, 1);
         std::string name = key_name(L, -1);
-        const bool known = lua_type(L, -1) == LUA_TSTRING && std::find(names.begin(), names.end(), name) != names.end();
+        const bool known = lua_type(L, -1) == LUA_TSTRING && contains(names, name);
         if (known || (found && name >= unknown)) continue;
         unknown = std::move(name);
         found = true;

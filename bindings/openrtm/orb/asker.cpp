@@ -9,6 +9,7 @@
 
 #include "bindings/openrtm/orb/peer_calls.hpp"
 #include "bindings/openrtm/orb/rtc_object.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
@@ -71,7 +72,7 @@ PeerAnswer Asker::unknown(const std::string& name, const Error& error) {
     PeerAnswer none{.problem = error.message, .missing = name};
     const bool is_short = name.find('/') == std::string::npos;
     for (const auto& each : names_.all()) none.known.push_back(is_short ? last_of(each.name) : each.name);
-    if (std::find(none.known.begin(), none.known.end(), none.missing) != none.known.end()) none.known.clear();
+    if (contains(none.known, none.missing)) none.known.clear();
     return none;
 }
 

@@ -6,6 +6,7 @@
 #include "bindings/openrtm/orb/properties.hpp"
 #include "bindings/openrtm/orb/servants.hpp"
 #include "bindings/openrtm/orb/terms.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -40,9 +41,8 @@ void PortObject::add_inside(const std::string& other, const RTC::ConnectorProfil
 void PortObject::keep_inside(const std::vector<std::string>& others) {
     const auto now = std::chrono::steady_clock::now();
     const std::lock_guard lock(mutex_);
-    std::erase_if(inside_, [&](const auto& each) {
-        return now - each.second.made > grace && std::find(others.begin(), others.end(), each.first) == others.end();
-    });
+    std::erase_if(inside_,
+                  [&](const auto& each) { return now - each.second.made > grace && !contains(others, each.first); });
 }
 
 void PortObject::show_inside(PortObject& from, PortObject& to) {

@@ -8,6 +8,7 @@
 #include "bindings/openrtm/orb/life.hpp"
 #include "bindings/openrtm/orb/linker.hpp"
 #include "bindings/openrtm/orb/servants.hpp"
+#include "engine/base/list.hpp"
 #include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
@@ -100,7 +101,7 @@ void Keeper::publish(std::string_view path, std::span<const std::uint8_t> bytes,
 
 bool Keeper::is_made(const RtcLink& link) {
     const std::lock_guard lock(mutex_);
-    return std::find(made_.begin(), made_.end(), link) != made_.end();
+    return contains(made_, link);
 }
 
 bool Keeper::is_ending() {
@@ -149,9 +150,7 @@ void Keeper::take_wanted(const Exports& wanted) {
     std::vector<RtcProfile> fresh;
     {
         const std::lock_guard lock(mutex_);
-        const auto stays = [&](const Rtc& rtc) {
-            return std::find(wanted.profiles.begin(), wanted.profiles.end(), rtc->profile()) != wanted.profiles.end();
-        };
+        const auto stays = [&](const Rtc& rtc) { return contains(wanted.profiles, rtc->profile()); };
         const auto first_gone = std::stable_partition(rtcs_.begin(), rtcs_.end(), stays);
         gone.assign(first_gone, rtcs_.end());
         rtcs_.erase(first_gone, rtcs_.end());
@@ -191,7 +190,7 @@ void Keeper::take_links(const std::vector<RtcLink>& wanted) {
     }
     for (const Link& link : links_) {
         PortObject* port = find_port(link.wanted.path);
-        const bool stays = std::find(wanted.begin(), wanted.end(), link.wanted) != wanted.end();
+        const bool stays = contains(wanted, link.wanted);
         if (!stays) told_.erase(about(link.wanted));
         if (stays || port == nullptr || CORBA::is_nil(link.theirs)) continue;
         const std::string id = port->connection_with(link.theirs);
@@ -288,7 +287,7 @@ void Keeper::look_after_connections() {
             }
             // These were not ended by anyone else.
             for (Link& link : links_) {
-                if (std::find(lost.begin(), lost.end(), link.id) == lost.end()) continue;
+                if (!contains(lost, link.id)) continue;
                 lose(link, link.is_joined);
             }
         }

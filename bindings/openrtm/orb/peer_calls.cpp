@@ -6,6 +6,7 @@
 
 #include "bindings/openrtm/orb/properties.hpp"
 #include "bindings/openrtm/orb/terms.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -118,7 +119,7 @@ PeerAnswer configure(RTC::RTObject_ptr rtc, const RtcRequest& request) {
         values.description = corba_text("");
         const std::vector<std::string> names = names_of(found->second);
         for (const auto& [name, text] : request.values) {
-            if (std::find(names.begin(), names.end(), name) == names.end())
+            if (!contains(names, name))
                 return {.problem = "it has no parameter '" + name + "'", .missing = name, .known = names};
             add_text(values.configuration_data, name, text);
         }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bindings/web/classroom/classroom.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -37,8 +38,7 @@ Expected<Classroom::Json> Classroom::perform(Client& client, const Json& request
     Seat* seat = seat_of(client.pupil);
     const std::string what = text_in(request, "what");
     const bool is_own = client.role == Role::pupil || client.role == Role::guest;
-    if (is_own && std::find(of_shared.begin(), of_shared.end(), what) != of_shared.end())
-        return ask_shared(client, what);
+    if (is_own && contains(of_shared, what)) return ask_shared(client, what);
     if (seat == nullptr) return failure("this page has no permission for that: open your own link of the class");
     const bool may_act = client.role == Role::pupil || client.role == Role::helper;
     if (may_act && what == "check") return said(check_later(*seat));

@@ -7,6 +7,7 @@
 
 #include "bindings/web/classroom/check_work.hpp"
 #include "bindings/web/classroom/classroom.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::array<std::string_view, 4> acts_of_driver{"SetParameter", "Use", 
 
 template <class List>
 bool has(const List& list, const Json& text) {
-    return text.is_string() && std::find(list.begin(), list.end(), text.get<std::string_view>()) != list.end();
+    return text.is_string() && contains(list, text.get<std::string_view>());
 }
 
 }  // namespace

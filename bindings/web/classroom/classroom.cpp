@@ -14,11 +14,11 @@
 
 #include "bindings/web/classroom/confinement.hpp"
 #include "engine/base/json_text.hpp"
+#include "engine/base/list.hpp"
 
 namespace nezumi::web {
 namespace {
 
-constexpr int unavailable = 503;
 // Visitors have this token: it is not a secret.
 constexpr std::string_view visitors = "join";
 constexpr std::string_view for_the_class = R"("do":"class")";
@@ -306,7 +306,7 @@ std::string Classroom::why_not(const Client& client, const Json& request) {
         return found != request.end() && found->is_string() ? found->get<std::string>() : "";
     };
     const std::string what = text("do");
-    const bool looks = std::find(while_looking.begin(), while_looking.end(), what) != while_looking.end();
+    const bool looks = contains(while_looking, what);
     const bool is_pupil = client.role == Role::pupil || client.role == Role::guest || client.role == Role::reader;
     if (is_frozen_ && is_pupil && !looks) return "the teacher has paused the class";
     if (client.role == Role::guest) return looks ? "" : why_not_shared(client, request);

@@ -37,7 +37,7 @@ struct Tried : Scratch {
     }
 };
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool has_part(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // How many processes one has begun that are not over.
 std::size_t children_of(pid_t process) {
@@ -110,13 +110,13 @@ TEST_CASE("an interrupted session reports all finished runs, in their order", "[
         program.send(signal);
         CHECK(program.wait() == 2);
         CHECK(program.out.starts_with("FAILED it [n=2]\n    it_test.lua:5: check failed: no\n"));
-        CHECK(contains(program.out, "\nok     it [n=3]  ("));
-        CHECK(contains(program.out, "\n2 runs: 1 passed, 1 failed (seed 124, "));
+        CHECK(has_part(program.out, "\nok     it [n=3]  ("));
+        CHECK(has_part(program.out, "\n2 runs: 1 passed, 1 failed (seed 124, "));
         CHECK(program.error == "nezumi: interrupted: not all scenarios have run; --resume runs the others\n");
         CHECK_THAT(text_of_file(tried.path("it.csv")),
                    Catch::Matches("scenario,run,seed,passed,n,doubled\nit,it \\[n=2\\],[0-9]+,false,2,4\n"
                                   "it,it \\[n=3\\],[0-9]+,true,3,6\n"));
-        CHECK(contains(text_of_file(tried.path("it.xml")), "tests=\"2\" failures=\"1\" errors=\"0\""));
+        CHECK(has_part(text_of_file(tried.path("it.xml")), "tests=\"2\" failures=\"1\" errors=\"0\""));
     }
     std::signal(SIGHUP, before);
 }

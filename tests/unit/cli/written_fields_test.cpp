@@ -20,7 +20,7 @@ namespace {
 
 // A system in which a structure stands, with what it needs; "%" stands for one more field, which wins over those before
 // it. A field may have a system of its own.
-const std::map<std::string, std::string> systems{
+const std::map<std::string, std::string> written_systems{
     {"box", "arena { box { at = { 1, 0, 0.1 }, size = { 0.1, 0.2, 0.3 }, % } }"},
     {"wall", "arena { wall { from = { 1, 0 }, to = { 1, 1 }, % } }"},
     {"cylinder", "arena { cylinder { at = { 1, 0, 0.1 }, radius = 0.1, height = 0.2, % } }"},
@@ -174,15 +174,15 @@ TEST_CASE("every field that a system file can have is written by save and read b
     std::size_t tried = 0;
     for (const RecordShape& record : file_records(cli::peer_words())) {
         CAPTURE(record.name);
-        CHECK(systems.contains(record.name) != others.contains(record.name));
-        if (!systems.contains(record.name)) continue;
+        CHECK(written_systems.contains(record.name) != others.contains(record.name));
+        if (!written_systems.contains(record.name)) continue;
         for (const FieldRow& row : record.rows) {
             CAPTURE(row.name);
             if (record.name == "component" && row.name == "calibration") continue;  // its values are in `config`
             const std::string value = value_of(record, row);
             REQUIRE_FALSE(value.empty());
-            const auto own = systems.find(record.name + "." + row.name);
-            const std::string& system = own != systems.end() ? own->second : systems.at(record.name);
+            const auto own = written_systems.find(record.name + "." + row.name);
+            const std::string& system = own != written_systems.end() ? own->second : written_systems.at(record.name);
             const auto with = [&](const std::string& field) {
                 return write_system_text(read(std::string(system).replace(system.find('%'), 1, field)), "Saved");
             };
@@ -190,7 +190,7 @@ TEST_CASE("every field that a system file can have is written by save and read b
             const std::string written = with(field);
             CHECK(write_system_text(read(written), "Saved") == written);
             if (is_written_as_it_is(record, row)) CHECK_THAT(written, Catch::Contains(field));
-            if (own == systems.end()) CHECK(written != with(""));
+            if (own == written_systems.end()) CHECK(written != with(""));
             ++tried;
         }
     }

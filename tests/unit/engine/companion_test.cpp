@@ -8,8 +8,8 @@ using namespace nezumi;
 namespace {
 
 // A picture and what explains it, on both sides.
-struct Pair {
-    Pair() {
+struct CompanionPair {
+    CompanionPair() {
         picture.set_companion(intrinsics);
         image.set_companion(told);
     }
@@ -32,7 +32,7 @@ struct Pair {
 }  // namespace
 
 TEST_CASE("a connection also connects the companion port", "[engine][port][companion]") {
-    Pair p;
+    CompanionPair p;
     p.image.connect(p.picture);
     CHECK(p.told.sources() == std::vector<const OutPortBase*>{&p.intrinsics});
     p.publish(500);
@@ -41,7 +41,7 @@ TEST_CASE("a connection also connects the companion port", "[engine][port][compa
 }
 
 TEST_CASE("a connection takes its companion along when it goes", "[engine][port][companion]") {
-    Pair p;
+    CompanionPair p;
     p.image.connect(p.picture);
     p.publish(500);
     p.image.disconnect(p.picture);
@@ -53,7 +53,7 @@ TEST_CASE("a connection takes its companion along when it goes", "[engine][port]
 TEST_CASE("a source that is connected twice counts once until both connections are removed",
           "[engine][port][companion]") {
     const bool companion_first = GENERATE(true, false);
-    Pair p;
+    CompanionPair p;
     if (companion_first) p.image.connect(p.picture);
     p.told.connect(p.intrinsics);
     if (!companion_first) p.image.connect(p.picture);
@@ -71,7 +71,7 @@ TEST_CASE("a source that is connected twice counts once until both connections a
 
 TEST_CASE("where one side has no companion, or one of another type, only the port itself is connected",
           "[engine][port][companion]") {
-    Pair p;
+    CompanionPair p;
     InPort<CameraImage> plain{"image"};
     plain.connect(p.picture);
     CHECK(plain.sources().size() == 1);

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/unit/engine/port_pair.hpp"
 #include "tests/unit/engine/try_component.hpp"
 
 using namespace nezumi;
@@ -10,8 +11,6 @@ using namespace nezumi;
 namespace {
 
 using Names = std::vector<std::string>;
-
-Time at(std::int64_t tick) { return {tick, static_cast<double>(tick) / 100}; }
 
 Expected<void> fail(TryComponent&) { return failure("went wrong", {"a.lua", 3}); }
 

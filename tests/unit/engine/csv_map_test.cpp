@@ -16,7 +16,7 @@ CsvMap map_of(std::string_view text) {
 
 std::vector<BoxSpec> boxes(std::string_view text) { return map_of(text).boxes; }
 
-std::string error(std::string_view text) {
+std::string map_error(std::string_view text) {
     const auto read = read_map(text, "map.csv");
     return read ? "no error" : describe(read.error());
 }
@@ -65,7 +65,7 @@ TEST_CASE("a map's first line is skipped, with any content in any encoding", "[e
         CHECK_FALSE(read.header_is_numbers);
     }
     CHECK(map_of("1,2,3,4,5,6,7" + row).header_is_numbers);
-    CHECK(error("") == "map.csv: is empty: expected a header line, then rows x,y,z,lx,ly,lz,yaw");
+    CHECK(map_error("") == "map.csv: is empty: expected a header line, then rows x,y,z,lx,ly,lz,yaw");
 }
 
 TEST_CASE("a map's further columns are ignored, and its comments, blank and short rows skipped and counted",
@@ -102,47 +102,47 @@ TEST_CASE("a header that names the columns of a map in another order is obeyed",
         CHECK(read[0].yaw == 7);
     }
     CHECK(boxes("name,x,y,z,lx,ly,lz,yaw\ndoor,1,2,3,4,5,6,7\n").size() == 1);
-    CHECK(error("yaw,lz,ly,lx,z,y,x\n0,0,1,1,0,0,0\n") ==
+    CHECK(map_error("yaw,lz,ly,lx,z,y,x\n0,0,1,1,0,0,0\n") ==
           "map.csv:2: column 'lz': expected a positive number, got '0'");
 }
 
 TEST_CASE("a map without a box gives an error that names the separator of its columns", "[engine][csv]") {
-    CHECK(error("x;y;z;lx;ly;lz;yaw\n1;2;3;4;5;6;7\n") ==
+    CHECK(map_error("x;y;z;lx;ly;lz;yaw\n1;2;3;4;5;6;7\n") ==
           "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got columns that are separated by semicolons: separate them by "
           "commas");
-    CHECK(error("x;y;z;lx;ly;lz;yaw\n1,5;2,0;3,0;4,0;5,0;6,0;7,0\n") ==
+    CHECK(map_error("x;y;z;lx;ly;lz;yaw\n1,5;2,0;3,0;4,0;5,0;6,0;7,0\n") ==
           "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got columns that are separated by semicolons: separate them by "
           "commas");
     CHECK(
-        error("x\ty\tz\tlx\tly\tlz\tyaw\n# walls\n1\t2\t3\t4\t5\t6\t7\n") ==
+        map_error("x\ty\tz\tlx\tly\tlz\tyaw\n# walls\n1\t2\t3\t4\t5\t6\t7\n") ==
         "map.csv:3: expected rows x,y,z,lx,ly,lz,yaw, got columns that are separated by tabs: separate them by commas");
-    CHECK(error("x,y,z,lx,ly,lz\n1,2,3,4,5,6\n") == "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got 6 columns");
-    CHECK(error(header + "north\n") == "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got 1 column");
+    CHECK(map_error("x,y,z,lx,ly,lz\n1,2,3,4,5,6\n") == "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got 6 columns");
+    CHECK(map_error(header + "north\n") == "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got 1 column");
 }
 
 TEST_CASE("a map without a box is an error", "[engine][csv]") {
     const std::string none = "map.csv: expected rows x,y,z,lx,ly,lz,yaw, got none";
-    CHECK(error(header) == none);
-    CHECK(error("x,y,z,lx,ly,lz,yaw") == none);
-    CHECK(error(header + "# a wall\n\n") == none);
-    CHECK(error("1,2,3,4,5,6,7\n") == none + ": the first line, which reads like a box, is skipped as a header");
+    CHECK(map_error(header) == none);
+    CHECK(map_error("x,y,z,lx,ly,lz,yaw") == none);
+    CHECK(map_error(header + "# a wall\n\n") == none);
+    CHECK(map_error("1,2,3,4,5,6,7\n") == none + ": the first line, which reads like a box, is skipped as a header");
 }
 
 TEST_CASE("an error in a field of a map has the line, the column and the expected value", "[engine][csv]") {
-    CHECK(error(header + "1,2,3,4,5,6,7\n\n0,0,0,abc,1,1,0\n") ==
+    CHECK(map_error(header + "1,2,3,4,5,6,7\n\n0,0,0,abc,1,1,0\n") ==
           "map.csv:4: column 'lx': expected a positive number, got 'abc'");
-    CHECK(error(header + "0,0,0,1,1,0,0\n") == "map.csv:2: column 'lz': expected a positive number, got '0'");
-    CHECK(error(header + "0,0,0,1,-1,1,0\n") == "map.csv:2: column 'ly': expected a positive number, got '-1'");
-    CHECK(error(header + "0,,0,1,1,1,0\n") == "map.csv:2: column 'y': expected a number, got ''");
-    CHECK(error(header + "0,0,0,1,1,1,nan\n") == "map.csv:2: column 'yaw': expected a number, got 'nan'");
-    CHECK(error(header + "inf,0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got 'inf'");
-    CHECK(error(header + "1e999,0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got '1e999'");
-    CHECK(error(header + "0,0,0,1e300,1,1,0\n") ==
+    CHECK(map_error(header + "0,0,0,1,1,0,0\n") == "map.csv:2: column 'lz': expected a positive number, got '0'");
+    CHECK(map_error(header + "0,0,0,1,-1,1,0\n") == "map.csv:2: column 'ly': expected a positive number, got '-1'");
+    CHECK(map_error(header + "0,,0,1,1,1,0\n") == "map.csv:2: column 'y': expected a number, got ''");
+    CHECK(map_error(header + "0,0,0,1,1,1,nan\n") == "map.csv:2: column 'yaw': expected a number, got 'nan'");
+    CHECK(map_error(header + "inf,0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got 'inf'");
+    CHECK(map_error(header + "1e999,0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got '1e999'");
+    CHECK(map_error(header + "0,0,0,1e300,1,1,0\n") ==
           "map.csv:2: column 'lx': expected a number up to 1000000, got '1e300'");
-    CHECK(error(header + "0,0,0x10,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '0x10'");
-    CHECK(error(header + "0,0,+-1,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '+-1'");
-    CHECK(error(header + "0,0,1 2,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '1 2'");
-    CHECK(error(header + "\"1\"\"\",0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got '1\"'");
+    CHECK(map_error(header + "0,0,0x10,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '0x10'");
+    CHECK(map_error(header + "0,0,+-1,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '+-1'");
+    CHECK(map_error(header + "0,0,1 2,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '1 2'");
+    CHECK(map_error(header + "\"1\"\"\",0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got '1\"'");
 }
 
 TEST_CASE("a quote that is not closed is a matter of comments and further columns of a map", "[engine][csv]") {
@@ -159,14 +159,14 @@ TEST_CASE("a quote that is not closed is a matter of comments and further column
 
 TEST_CASE("a box of a map that a quote which is not closed would hide is refused", "[engine][csv]") {
     for (const char* row : {"\"1,2,3,4,5,6,7", "1,2,3,4,5,6,\"7", "1,\"2,3,4,5,6,7,red", "\"1\",\"2\",3,4,5,\"6,7"})
-        CHECK(error(header + row + "\n") == "map.csv:2: a quote is not closed");
+        CHECK(map_error(header + row + "\n") == "map.csv:2: a quote is not closed");
     CHECK(boxes(header + "# \"1,2,3,4,5,6,7\n\"1,2,3,4,5,6,7\"\n1,2,3,4,5,6,7\n").size() == 1);
-    CHECK(error(header + "1,2,3,4,5,6,\n") == "map.csv:2: column 'yaw': expected a number, got ''");
+    CHECK(map_error(header + "1,2,3,4,5,6,\n") == "map.csv:2: column 'yaw': expected a number, got ''");
 }
 
 TEST_CASE("bytes that are not text stay out of a map's messages", "[engine][csv]") {
-    CHECK(error(header + "a\x1b[2J\x01,0,0,1,1,1,0\n") ==
+    CHECK(map_error(header + "a\x1b[2J\x01,0,0,1,1,1,0\n") ==
           "map.csv:2: column 'x': expected a number, got 'a\\x1b[2J\\x01'");
-    CHECK(error(header + std::string(100, 'q') + ",0,0,1,1,1,0\n") ==
+    CHECK(map_error(header + std::string(100, 'q') + ",0,0,1,1,1,0\n") ==
           "map.csv:2: column 'x': expected a number, got '" + std::string(60, 'q') + "...'");
 }

@@ -1,4 +1,4 @@
-// An out-port and an in-port that listens to it, for the tests of ports.
+// An out-port and an in-port that listens to it, and times, for the tests of ports.
 #pragma once
 
 #include <catch2/catch.hpp>

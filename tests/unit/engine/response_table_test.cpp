@@ -20,7 +20,8 @@ std::vector<ResponseTable::Point> mouse_points() {
 
 ResponseTable mouse_table() { return *ResponseTable::from_points(mouse_points(), 0.60, 0, 0, 4095); }
 
-std::string error(std::vector<ResponseTable::Point> points, double range = 1, double minimum = 0, double maximum = 10) {
+std::string table_error(std::vector<ResponseTable::Point> points, double range = 1, double minimum = 0,
+                        double maximum = 10) {
     const auto made = ResponseTable::from_points(std::move(points), range, 0, minimum, maximum);
     return made ? "no error" : describe(made.error());
 }
@@ -120,14 +121,14 @@ TEST_CASE("a response function's samples are met and joined by straight lines", 
 }
 
 TEST_CASE("a response table refuses invalid points", "[engine][response]") {
-    CHECK(error({}) == "a response table needs at least two points, got 0");
-    CHECK(error({{0.1, 1}}) == "a response table needs at least two points, got 1");
-    CHECK(error({{0.2, 1}, {0.1, 2}}) == "distances must ascend: 0.1 m comes after 0.2 m");
-    CHECK(error({{0.1, 1}, {0.1, 2}}) == "distances must ascend: 0.1 m comes after 0.1 m");
-    CHECK(error({{-0.1, 1}, {0.1, 2}}) == "point 1 (-0.1 m, 1) is not a distance and a finite value");
-    CHECK(error({{0.1, 1}, {0.2, infinity}}) == "point 2 (0.2 m, inf) is not a distance and a finite value");
-    CHECK(error({{0.1, 1}, {0.2, 2}}, 0) == "a range of 0 m is not a positive number");
-    CHECK(error({{0.1, 1}, {0.2, 2}}, 1, 5, 4) == "the values' minimum 5 is above their maximum 4");
+    CHECK(table_error({}) == "a response table needs at least two points, got 0");
+    CHECK(table_error({{0.1, 1}}) == "a response table needs at least two points, got 1");
+    CHECK(table_error({{0.2, 1}, {0.1, 2}}) == "distances must ascend: 0.1 m comes after 0.2 m");
+    CHECK(table_error({{0.1, 1}, {0.1, 2}}) == "distances must ascend: 0.1 m comes after 0.1 m");
+    CHECK(table_error({{-0.1, 1}, {0.1, 2}}) == "point 1 (-0.1 m, 1) is not a distance and a finite value");
+    CHECK(table_error({{0.1, 1}, {0.2, infinity}}) == "point 2 (0.2 m, inf) is not a distance and a finite value");
+    CHECK(table_error({{0.1, 1}, {0.2, 2}}, 0) == "a range of 0 m is not a positive number");
+    CHECK(table_error({{0.1, 1}, {0.2, 2}}, 1, 5, 4) == "the values' minimum 5 is above their maximum 4");
 }
 
 TEST_CASE("a response table's file names the line of a bad row", "[engine][response]") {

@@ -35,7 +35,7 @@ constexpr std::size_t most_memory = std::size_t{64} << 20;  // [bytes] of a beha
 // What ticks may take when a behaviour has run out of its time: Lua's own code is left 0.05 s after that.
 constexpr double most_of_a_tick = 1.5 * budget.seconds + 0.05;
 
-const char* const system_text = R"(
+const char* const bystander_system = R"(
 robot    "mouse"    { model = "raspimouse" }
 behavior "it"       { script = "it" }
 behavior "bystander" { script = "bystander" }
@@ -120,7 +120,7 @@ public:
         folder_.write("behaviors/bystander.lua", bystander_text);
         folder_.write("behaviors/part.lua", RandomScript::module());
         folder_.write("behaviors/it.lua", bystander_text);
-        const std::filesystem::path file = folder_.write("system.lua", system_text);
+        const std::filesystem::path file = folder_.write("system.lua", bystander_system);
         project_ = Project::of(file, {source_root()});
         spec_ = std::move(read_system_file(file, project_).value());
     }
