@@ -73,11 +73,33 @@ bool returns_message(std::string_view text) {
     return false;
 }
 
-// A compiled type with the same memory layout as the definition; it is used instead.
-const Type* same_compiled(const std::string& kind, const MessageDefinition& definition) {
+// The compiled structure with the last part of this name ("Point2D" of "RTC/Point2D"); null if there is none.
+const Type* compiled_structure(const std::string& kind) {
     const Type* type = compiled_payload(kind.substr(kind.rfind('/') + 1));
-    if (type == nullptr || type->kind != Type::Kind::structure) return nullptr;
-    const auto same = [](const Type::Field& field, const FieldDefinition& other) { return field.name == other.name; };
+    return type != nullptr && type->kind == Type::Kind::structure ? type : nullptr;
+}
+
+// Whether the field of a compiled structure has the type of the definition's field.
+bool has_type(const Type::Field& field, const FieldDefinition& defined) {
+    const Type* type = field.type;
+    for (auto length = defined.shape.rbegin(); length != defined.shape.rend(); ++length) {
+        const bool fits = *length == 0 ? type->kind == Type::Kind::sequence
+                                       : type->kind == Type::Kind::array && type->length == *length;
+        if (!fits) return false;
+        type = type->element;
+    }
+    if (!defined.choices.empty()) return type->kind == Type::Kind::enumeration && type->choices == defined.choices;
+    const Type* single = type_of_kind(defined.kind);
+    return type == (single != nullptr ? single : compiled_structure(defined.kind));
+}
+
+// The compiled structure with the name and the fields of the definition; it is used instead.
+const Type* same_compiled(const std::string& kind, const MessageDefinition& definition) {
+    const Type* type = compiled_structure(kind);
+    if (type == nullptr) return nullptr;
+    const auto same = [](const Type::Field& field, const FieldDefinition& other) {
+        return field.name == other.name && has_type(field, other);
+    };
     return std::equal(type->fields.begin(), type->fields.end(), definition.fields.begin(), definition.fields.end(),
                       same)
                ? type

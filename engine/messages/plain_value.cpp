@@ -12,15 +12,19 @@
 namespace nezumi {
 namespace {
 
-Expected<Value> whole_value(std::string_view text, std::string_view given) {
+// An int64, or a uint64 if the type is one and no int64 has this value.
+Expected<Value> whole_value(std::string_view text, const Type& type) {
+    const std::string_view given = text;
     const bool negative = text.starts_with('-');
     if (negative || text.starts_with('+')) text.remove_prefix(1);
     const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
     if (hexadecimal) text.remove_prefix(2);
     const auto size = number_in<std::uint64_t>(text, hexadecimal ? 16 : 10);
     constexpr auto most = std::uint64_t{1} << 63;
+    if (size && *size >= most && !negative && type.kind == Type::Kind::uint64) return Value(*size);
     if (!size || *size > (negative ? most : most - 1))
-        return failure(fmt::format("expected an integer below 2^63, got '{}'", shown(given)));
+        return failure(fmt::format("expected an integer below 2^{}, got '{}'",
+                                   type.kind == Type::Kind::uint64 ? 64 : 63, shown(given)));
     return Value(static_cast<std::int64_t>(negative ? 0 - *size : *size));
 }
 
@@ -44,11 +48,11 @@ Expected<Value> plain_value(std::string_view text, std::string_view kind) {
         // A character is its code.
         if (text.size() == 3 && text.front() == '\'' && text.back() == '\'')
             return Value(std::int64_t{static_cast<unsigned char>(text[1])});
-        auto value = whole_value(text, text);
-        if (!value) return value;
+        auto value = whole_value(text, *type);
+        const auto* whole = value ? value->get_if<std::int64_t>() : nullptr;
+        if (whole == nullptr) return value;
         const auto [least, most] = type->integer_range();
-        const std::int64_t whole = *value->get_if<std::int64_t>();
-        if (whole >= least && whole <= most) return value;
+        if (*whole >= least && *whole <= most) return value;
         return failure(fmt::format("expected an integer from {} to {}, got '{}'", least, most, shown(text)));
     }
     const auto number = number_in<double>(text);

@@ -278,7 +278,8 @@ struct Describe<PortSpec> {
         Setting{"from",
                 &PortSpec::items,
                 "",
-                "a sensor, a list of them, `\"velocity\"` (measured at the wheels) or `\"odometry\"`",
+                "a sensor, a list of them, `\"velocity\"` (measured at the wheels), `\"odometry\"` or `\"stalled\"` "
+                "(whether a wheel is blocked)",
                 {.of = out_only, .fallback = "required"}},
         Setting{"to",
                 &PortSpec::items,

@@ -763,7 +763,7 @@ function output(name, type, doc, options) end
 
 ---@class (exact) PortFields
 ---@field type? string a message type
----@field from? string|string[] a sensor, a list of them, `"velocity"` (measured at the wheels) or `"odometry"` (of out-port)
+---@field from? string|string[] a sensor, a list of them, `"velocity"` (measured at the wheels), `"odometry"` or `"stalled"` (whether a wheel is blocked) (of out-port)
 ---@field to? string|string[] `"drive"`, `"odometry"` (sets it), `"say"` (at most 10 numbers, which `neighbours` of others see) or an actuator (of in-port)
 ---@field doc? string documentation for editors and the console
 ---@field rate? number [Hz] messages per second; 0: one each tick (of out-port)

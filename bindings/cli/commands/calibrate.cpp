@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <sstream>
@@ -154,12 +155,14 @@ private:
         return Point2D{(*end)[0], (*end)[1]};
     }
     Pose2D truth() { return robot_->system().world()->truth(robot_->robot().id()).pose; }
-    // Measured along the first ray that faces ahead.
+    // [m] From the robot's origin, along the nearest of the rays that point ahead, within 45 degrees.
     double distance_to_wall() {
         const Pose2D now = truth();
         double nearest = 1e6;
         for (const Ray& ray : robot_->system().world()->rays(robot_->robot().id())) {
-            if (ray.hit) nearest = std::min(nearest, seen_from(now, {{ray.to.x, ray.to.y}, 0}).position.x);
+            const Point2D from = seen_from(now, {{ray.from.x, ray.from.y}, 0}).position;
+            const Point2D to = seen_from(now, {{ray.to.x, ray.to.y}, 0}).position;
+            if (ray.hit && to.x - from.x > std::abs(to.y - from.y)) nearest = std::min(nearest, to.x);
         }
         return nearest;
     }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,15 +51,15 @@ std::string text_of_string(std::string_view text) { return "\"" + without_contro
 std::string text_of(lua_State* lua, bool within = false);
 
 // The fields with names of the table on top of the stack, as texts without an empty one: by name, because the order in
-// memory depends on the run.
-std::map<std::string, std::string> named_fields(lua_State* lua, bool within) {
+// memory depends on the run. Nothing if the table has too many elements: which ones come first depends on the run too.
+std::optional<std::map<std::string, std::string>> named_fields(lua_State* lua, bool within) {
     std::map<std::string, std::string> fields;
     int count = 0;
     lua_pushnil(lua);
     while (lua_next(lua, -2) != 0) {
         if (++count > most_sorted) {
             lua_pop(lua, 2);
-            break;
+            return std::nullopt;
         }
         std::string value = lua_type(lua, -2) == LUA_TSTRING ? text_of(lua, within) : "";
         if (!value.empty()) fields.emplace(without_controls(lua_tostring(lua, -2)), std::move(value));
@@ -81,7 +82,9 @@ std::string text_of_table(lua_State* lua) {
     }
     bool has_more = length > most_elements;
     if (length == 0) {
-        for (const auto& [name, value] : named_fields(lua, true)) {
+        const auto fields = named_fields(lua, true);
+        if (!fields) return "{ ... }";
+        for (const auto& [name, value] : *fields) {
             has_more = count >= most_elements;
             if (has_more) break;
             add(std::string(name).append(" = ").append(value));
@@ -138,10 +141,12 @@ void add_value(std::vector<LineTrace::Value>& values, lua_State* lua, const char
 // The fields of the table on top of the stack: "state.count" and so on.
 void add_fields(std::vector<LineTrace::Value>& values, lua_State* lua, const char* name) {
     if (lua_type(lua, -1) != LUA_TTABLE) return;
+    const auto fields = named_fields(lua, false);
+    if (!fields) return;
     int count = 0;
-    for (auto& [field, text] : named_fields(lua, false)) {
+    for (const auto& [field, text] : *fields) {
         if (count++ >= LineTrace::most_fields) return;
-        put(values, {std::string(name) + "." + field, std::move(text)});
+        put(values, {std::string(name) + "." + field, text});
     }
 }
 

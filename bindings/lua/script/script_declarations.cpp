@@ -211,7 +211,12 @@ int global_constants(lua_State* L) {
     lua_createtable(L, 0, static_cast<int>(type->constants.size()));
     for (const auto& [name, value] : type->constants) {
         lua_pushlstring(L, name.data(), name.size());
-        push_payload(L, value);
+        // As a number that is written in Lua: too large for an integer, it is a float.
+        if (const auto* large = value.get_if<std::uint64_t>()) {
+            lua_pushnumber(L, static_cast<double>(*large));
+        } else {
+            push_payload(L, value);
+        }
         lua_rawset(L, -3);
     }
     return 1;

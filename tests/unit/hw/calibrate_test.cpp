@@ -209,6 +209,28 @@ TEST_CASE("a calibration in simulation writes nothing", "[hw][calibration]") {
     CHECK_FALSE(std::filesystem::exists(scratch.path("mouse.calibration.lua")));
 }
 
+TEST_CASE("in simulation the distance of the wall is that ahead, also with sensors to the side and to the rear",
+          "[hw][calibration]") {
+    const Scratch scratch;
+    scratch.write(
+        "seeing.lua",
+        "local function at(x, y, yaw)\n"
+        "  return { kind = 'range', at = { x, y, 0.02 }, yaw = yaw, range = 1, table = { { 0, 800 }, { 1, 0 } } }\n"
+        "end\n"
+        "return robot_model { base = 'raspimouse',\n"
+        "  sensors = { rear = at(-0.05, 0, math.pi), side = at(0, 0.05, math.pi / 2) } }");
+    scratch.write("system.lua",
+                  "arena { size = { 3, 3 }, wall { from = { 0.3, -1 }, to = { 0.3, 1 } },\n"
+                  "  wall { from = { -1, 0.2 }, to = { 0.1, 0.2 } } }\n"
+                  "robot 'mouse' { model = 'seeing' }");
+    const Outcome outcome = run_nezumi({"calibrate", "ir", "system.lua", "--sim"}, scratch.path("").string());
+    CHECK(outcome.status == 0);
+    // 500 and more only within 0.03 m.
+    const std::string begin = "left_front: 0.0";
+    REQUIRE(outcome.out.starts_with(begin));
+    CHECK(std::stoi(outcome.out.substr(outcome.out.find(" m ") + 3)) > 500);
+}
+
 TEST_CASE("a robot that can't be calibrated is refused in one line", "[hw][calibration]") {
     const Scratch scratch;
     const std::string folder = scratch.path("").string();

@@ -82,6 +82,23 @@ end
     CHECK(value_at(seen, 5, "state.list") == "{ 1, 2 }");
 }
 
+TEST_CASE("a trace shows no fields of a table with more than 1000: which come first in memory is chance",
+          "[lua][explain]") {
+    ScriptRig rig(R"(function on_execute()
+  local few, many = {}, {}
+  for i = 1, 1000 do few["a" .. i], many["a" .. i] = i, i end
+  many.b = 1
+  local last = 0
+end
+)");
+    rig.activate();
+    rig.component->trace_next();
+    rig.tick();
+    const TracedLines& seen = rig.component->latest_trace();
+    CHECK(value_at(seen, 5, "few").starts_with("{ a1 = 1, a10 = 10, a100 = 100, "));
+    CHECK(value_at(seen, 5, "many") == "{ ... }");
+}
+
 TEST_CASE("only the requested execution is traced, and no hook remains", "[lua][explain]") {
     ScriptRig rig("function on_execute()\n  local x = 1\nend\n");
     rig.activate().tick();
