@@ -1,4 +1,4 @@
-// The drivers, one line each.
+// The table of drivers.
 #include "hw/drivers.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ ComponentMaker cameras(const std::string& dev) {
     };
 }
 
-// By the type of the component (engine/devices/device_kinds.cpp).
+// The drivers of devices on a wire, by the component's type (engine/devices/device_kinds.cpp).
 constexpr std::pair<std::string_view, MakeWireDriver> wire_drivers[] = {
     {"Serial", serial_driver}, {"Udp", udp_driver}, {"I2c", i2c_driver}, {"Spi", spi_driver}, {"Gpio", gpio_driver}};
 

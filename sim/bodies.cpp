@@ -23,7 +23,7 @@ BodyState BodyView::state() const {
 void BodyView::arrive(const BodyState& state) const {
     const auto& [velocity, spin] = state.motion;
     dBodySetPosition(id, state.centre.x(), state.centre.y(), state.centre.z());
-    // dBodySetQuaternion would normalize it again, which changes the last bits. The geoms don't use it.
+    // dBodySetQuaternion would normalize the quaternion again, which changes its last bits. Geoms don't use it.
     std::copy(state.turn.begin(), state.turn.end(), const_cast<dReal*>(dBodyGetQuaternion(id)));
     Eigen::Map<RowMajor3x4>(const_cast<dReal*>(r)).leftCols<3>() = state.rotation;
     dBodySetLinearVel(id, velocity.x(), velocity.y(), velocity.z());

@@ -37,7 +37,7 @@ struct BodyView {
     /// Places the body at rest.
     void put(const Vec3& centre, const Rotation& rotation) const;
     BodyState state() const;
-    /// Places the body where `BodyState::advance` has moved `state`.
+    /// Sets pose and velocities of the body, bit for bit, after `BodyState::advance` has moved `state`.
     void arrive(const BodyState& state) const;
 
     dBodyID id;
@@ -74,13 +74,13 @@ struct SimRobot {
           pressed(model->spec->sensors.size(), false),
           servos(model->spec->actuators.size(), 0.0) {}
 
-    /// The rays of its range sensors at the present servo angles.
+    /// The rays of the robot's range sensors at the present servo angles.
     const RayFan& fan() const { return turned_fan != nullptr ? *turned_fan : model->fan; }
     /// Sets whether ODE's solver moves the robot in the next step.
     void leave_to_ode(bool solved_by_ode);
     /// True if the robot can roll freely, provided that its motion allows it.
     bool may_roll() const { return !meets && !coasting && is_alone(); }
-    /// True if ODE is not needed: nothing that moves touches the robot or drags it.
+    /// True if ODE is not needed: the robot touches nothing that moves, and no velocity is forced on it.
     bool is_alone() const { return !kept_by_ode && !meets_mover && !constraint; }
     /// True if the motors hold the wheels at standstill.
     bool is_held() const { return !coasting && speeds.left == 0 && speeds.right == 0; }
@@ -96,7 +96,7 @@ struct SimRobot {
     bool meets = false;        // touches something other than the flat floor in this step
     bool meets_mover = false;  // touches a robot or a thing in this step
     bool by_ode = true;        // ODE's solver moves it
-    bool kept_by_ode = false;  // ODE's solver always moves it: for tests that compare the two ways
+    bool kept_by_ode = false;  // ODE's solver always moves it: for tests that compare the solvers
     bool coasting = false;
     bool on_slope = false;  // a wheel or skid stands on a slope, in this step
     Wheels speeds;          // [m/s]
@@ -118,7 +118,7 @@ struct Thing {
 
     /// Wakes the thing after a touch, so that it moves again.
     void wake();
-    /// The thing lies still, without cost, until it is touched.
+    /// Puts the thing to sleep: it lies still and costs no time until it is touched.
     void sleep();
 
     BodyView body;

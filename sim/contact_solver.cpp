@@ -3,7 +3,7 @@
 // manual, "Constraint Force Mixing"). As s > 0, there is exactly one solution, and every method finds it. ODE pivots in
 // a matrix with a row per equation (Dantzig's method). Here each equation is assumed to hold or to be at a bound, and
 // wrong assumptions are corrected: all together (Newton's method for equations that are linear piece by piece), or,
-// where that goes round in circles, the last one alone (Murty's method, which ends).
+// if that repeats without end, only the last one (Murty's method, which always ends).
 //
 // Equations are added one by one, as a Kalman filter adds measurements. So all matrices have the six rows of a body,
 // and a firm contact (s near 0) costs no digits.
@@ -39,21 +39,22 @@ struct Equation {
     double softness;     // [1/kg] s
     double least, most;  // [N s] bounds of p
     bool holds;
-    double impulse;  // [N s] p, where the equation does not hold: a bound
+    double impulse;  // [N s] p if the equation does not hold: one of the bounds
 
-    // Assumes what this impulse, with which it would hold, says.
+    // `wanted` is the impulse with which the equation would hold: assumes that it holds if this is within the bounds.
     void assume(double wanted) {
         impulse = std::clamp(wanted, least, most);
         holds = impulse == wanted;
     }
-    // The impulse with which it would hold.
+    // The impulse with which the equation would hold.
     double wanted(const Vector6& velocity) const { return (target - inner(row, velocity)) / softness; }
     // True if the velocities that follow from the assumption don't contradict it.
     bool agrees_with(const Vector6& velocity) const {
         const double p = wanted(velocity);
         return std::clamp(p, least, most) == (holds ? p : impulse);
     }
-    // From a bound it does not go directly to the other one: where the equation is firm, that would often be too far.
+    // Reverses the assumption. An equation at one bound never goes directly to the other: for a firm equation that
+    // would often be too far.
     void correct(const Vector6& velocity) {
         holds = !holds;
         impulse = std::clamp(wanted(velocity), least, most);
@@ -88,8 +89,8 @@ Response without_contacts(const RobotModel& model, const BodyState& body, double
     return free;
 }
 
-// Finds which of the equations hold. `response` is that to the first `known` of them, and then to all. Returns false if
-// it does not succeed.
+// Finds which of the equations hold. `response` includes the first `known` equations when this is called, and all of
+// them afterwards. Returns false if it does not succeed.
 bool settle(std::span<Equation> equations, std::size_t known, const Response& free, Response& response) {
     for (Equation& each : equations.subspan(known)) response.add(each, true);
     for (int round = 0; round < most_rounds; ++round) {

@@ -11,7 +11,7 @@
 
 namespace nezumi::sim {
 
-/// With more contacts, ODE computes the step.
+/// The largest number of contacts; with more, ODE computes the step.
 inline constexpr std::size_t most_solved_contacts = 16;
 
 /// Returns the robot's velocities after a step of `step` [s] with these contacts, all of them between the robot and

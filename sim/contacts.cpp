@@ -42,7 +42,7 @@ void Contacts::find(std::span<SimRobot* const> robots) {
     }
 }
 
-// Computes the robot's motion, or leaves it to ODE. All its contacts but those with the floor must have been found.
+// Computes the robot's motion, or leaves it to ODE. All contacts except those with the floor must have been found.
 void Contacts::advance(SimRobot& robot) {
     const auto state = [&] { return robot.body.state(); };
     std::optional<Motion> next;
@@ -242,7 +242,7 @@ void Contacts::touch_robot(SimRobot& robot, SimRobot& other) {
     islands_.link(robot.mover, other.mover);
 }
 
-// Adds contacts of wheels and skids with a kerb, a ramp or a thing on the floor. `other` is null if the shape is fixed.
+// Adds contacts of wheels and skids with a shape: a kerb, a ramp or a thing on the floor. `other` is its body, or null.
 bool Contacts::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
     const RobotModel& model = *robot.model;
     const Vec3 centre = robot.body.centre();
@@ -260,7 +260,7 @@ bool Contacts::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
         }
     }
     for (const Vec3& skid : model.skids) {
-        // If it is higher than the hull's bottom, it touches the hull before it can reach a skid.
+        // The ray begins at the height of the hull's bottom: a higher shape touches the hull before it reaches a skid.
         const Vec3 lowest = centre + rotate(rotation, skid), from = lowest + rotation.col(2) * model.clearance;
         if (top >= from.z()) continue;
         Vec3 normal;
@@ -322,7 +322,7 @@ void Contacts::touch_neighbours(Thing& thing) {
         if (touches.empty()) continue;
         islands_.add_equations(thing.mover, 3 * static_cast<int>(touches.size()));
         if (other.asleep) {
-            // It keeps its count of quiet steps, so that two things that rest on each other fall asleep together.
+            // Its count of quiet steps is kept, so that two things that rest on each other fall asleep together.
             other.asleep = false;
             dBodyEnable(other.body.id);
         }

@@ -66,7 +66,7 @@ private:
     Islands& islands_;
     JointGroupHandle joints_;
     std::vector<dContact> found_;                     // of the mover that is being checked, not yet joints
-    std::vector<std::pair<dBodyID, dBodyID>> pairs_;  // which these contacts are between
+    std::vector<std::pair<dBodyID, dBodyID>> pairs_;  // the two bodies of each contact in found_
     std::size_t count_ = 0;
     std::vector<Scene::Index> touched_;  // movers: robots that have touched something
     std::vector<Vec3> points_;           // contact points of the pair that is being checked

@@ -19,8 +19,8 @@ namespace {
 template <class Real>
 using Holds = decltype(Real() > Real());
 
-// Sums a row of a product in the order that Eigen uses for doubles. Eigen would use another order for lanes; so both
-// get the same bits.
+// Sums a row of a product in the order that Eigen uses for doubles. Eigen would use another order for lanes, which
+// gives other bits.
 template <class Real>
 Real sum_of_row(int row, Real a, Real b, Real c) {
     return row < 2 ? (a + b) + c : a + (b + c);

@@ -16,7 +16,7 @@ public:
     static constexpr int most_equations = 45;
     /// Limit for a mover that touches no other mover (a plate on pillars): 300 equations take 1 ms.
     static constexpr int most_alone = 300;
-    /// For a robot on the floor. A thing on its corners has 12.
+    /// The equations of a robot's contacts with the floor. A thing on its corners has 12.
     static constexpr int equations_on_floor = 8;
 
     /// Movers are numbered in the order of adding, as in a `Scene`.

@@ -29,7 +29,7 @@ Unexpected no_marker(std::string_view name, const std::vector<MarkerPose>& marke
 Expected<void> check_marker(const MarkerSpec& marker) {
     if (marker.id < 0 || marker.id >= tag_count) {
         return failure(
-            fmt::format("marker '{}': there is no tag {}, they go from 0 to {}", marker.name, marker.id, tag_count - 1),
+            fmt::format("marker '{}': there is no tag {}: tags go from 0 to {}", marker.name, marker.id, tag_count - 1),
             marker.place);
     }
     return check_record(marker, marker.place);

@@ -1,4 +1,4 @@
-// Markers of a world: fixed in place, without collision.
+// Markers of a world. Nothing collides with them.
 #pragma once
 
 #include "engine/base/error.hpp"

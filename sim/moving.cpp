@@ -67,7 +67,7 @@ Expected<void> OdeWorld::move_label(const Label& label, Shape& shape, const Pose
 Expected<void> OdeWorld::move_thing(std::string_view name, const Pose2D& pose) {
     if (const std::string problem = check_pose(pose); !problem.empty())
         return failure(fmt::format("{}: its pose: {}", shown(name), problem));
-    if (name == border_name) return failure("the walls of the arena's border stay where they are");
+    if (name == border_name) return failure("the walls of the arena's border can't be moved");
     const auto find = [&](const std::vector<Label>& labels) {
         return std::find_if(labels.begin(), labels.end(), [&](const Label& each) { return each.name == name; });
     };
@@ -89,7 +89,7 @@ Expected<void> OdeWorld::move_thing(std::string_view name, const Pose2D& pose) {
         }
         return failure(fmt::format("there is no thing '{}'{}", shown(name), did_you_mean(name, names)));
     }
-    // Things that stood on it must fall, and things at its new place must notice it.
+    // Things that stood on the moved thing must fall, and things at the new place must notice it.
     for (Thing& thing : movers_.things) thing.wake();
     place_movers();
     scene_.refresh();

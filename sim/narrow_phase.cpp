@@ -149,7 +149,7 @@ std::span<const Touch> NarrowPhase::collide(const Shape& a, const Shape& b) {
             touches_[0] = touch;
             return std::span(touches_).first(1);
         }
-        // If it is deeper than high, one stands on the other: ODE computes that.
+        // If the depth exceeds the common height, one shape stands on the other: ODE computes this case.
     }
     return collide_by_ode(a, b);
 }
@@ -171,7 +171,7 @@ std::span<const Touch> NarrowPhase::collide_by_ode(const Shape& a, const Shape& 
 }
 
 std::optional<Touch> touch_wheel(const Shape& shape, const Vec3& centre, const Vec3& axis, double radius) {
-    constexpr double steepest = 0.2;  // upward part of a normal, below which it is a wall
+    constexpr double steepest = 0.2;  // a shape whose normal has a smaller upward part is a wall
     const Vec3 level = axis.cross(Vec3::UnitZ());
     const double flat = level.norm();
     if (flat < 0.3) return std::nullopt;  // the wheel lies on its side

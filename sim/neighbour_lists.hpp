@@ -14,7 +14,7 @@ public:
     /// True if two movers that are not listed as neighbours may touch by now.
     bool expired() const { return may_travel_ < 0; }
     void expire() { may_travel_ = -1; }
-    /// Every mover has moved at most this distance [m] since the last call.
+    /// Called after a step in which every mover has moved at most this distance [m].
     void travel(double distance) {
         may_travel_ -= distance;
         travelled_ = distance;

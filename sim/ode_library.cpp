@@ -34,7 +34,8 @@ std::string format(const char* message, va_list arguments) {
     return std::string("physics: ") + text.data();
 }
 
-// ODE's solver reports this when a search step has length 0 within rounding: then it has found the contact forces.
+// True for a message that is no error: ODE's solver has found the contact forces if a search step has length 0 within
+// rounding, but it reports this.
 bool is_no_news(int number, va_list arguments) {
     if (number != d_ERR_LCP) return false;
     va_list copy;

@@ -20,7 +20,8 @@ public:
     OdeLibrary(const OdeLibrary&) = delete;
     OdeLibrary& operator=(const OdeLibrary&) = delete;
 
-    /// Must be called on a thread before it steps or collides. Repeated calls cost almost nothing.
+    /// Must be called on a thread before the thread steps a world or collides shapes. Repeated calls cost almost
+    /// nothing.
     static void use_on_this_thread();
 
     /// Keeps an object of a world that broke down within a step until the process ends, because ODE ends the process

@@ -192,7 +192,7 @@ void OdeWorld::remove_robot(RobotId id) {
     scene_.remove_mover(robot.mover);
     neighbours_.expire();
     for (Thing& thing : movers_.things) {
-        // Things that lay on it must fall.
+        // Things that lay on the robot must fall.
         const auto& near = thing.near.movers;
         if (contains(near, robot.mover)) thing.wake();
     }
@@ -244,7 +244,7 @@ std::optional<double> OdeWorld::clearance(RobotId id, double most) const {
     place_hull(hull, *self.model, self.body);
     const double top = hull.centre.z() + hull.half_height();
     const double reach = hull.reach();
-    // A robot that tilts a little is as long as one that stands.
+    // A small tilt is ignored.
     const auto level = [](Shape& shape) {
         if (shape.rotation(2, 2) > 0.9)
             shape.rotation = yaw_rotation(std::atan2(shape.rotation(1, 0), shape.rotation(0, 0)));
@@ -253,12 +253,12 @@ std::optional<double> OdeWorld::clearance(RobotId id, double most) const {
     double least = most;
     const auto look = [&](const Shape& shape) {
         if (shape.centre.z() - shape.half_height() > top) return;
-        // Most shapes are farther than the nearest one at their rims.
+        // Skips the exact computation for shapes that can't be nearer than the nearest one so far.
         const double dx = shape.centre.x() - hull.centre.x(), dy = shape.centre.y() - hull.centre.y();
         const double far = least + reach + shape.reach();
         if (dx * dx + dy * dy < far * far) least = std::min(least, gap_from_above(hull, shape));
     };
-    // Near objects are found fast; if there is one, no object farther away can be nearer.
+    // Searches a small range first, which is fast. If an object is found there, no larger search is needed.
     for (const double range : {0.1 * most, most}) {
         scene_.for_each_fixed_near(hull.centre.x(), hull.centre.y(), reach + range,
                                    [&](Scene::Index, const Shape& shape) { look(shape); });
@@ -300,7 +300,7 @@ Expected<void> OdeWorld::teleport(RobotId id, Pose2D pose) {
 
 void OdeWorld::disturb(RobotId id, const VelocityConstraint& constraint) {
     SimRobot& robot = this->robot(id);
-    robot.constraint = {};  // ODE's order of joints is that of their creation
+    robot.constraint = {};  // removes the old joints before new ones are made: ODE orders joints by creation
     robot.constraint = ConstraintMotors(world_.get(), robot, constraint);
 }
 

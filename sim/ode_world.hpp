@@ -27,7 +27,7 @@
 
 namespace nezumi::sim {
 
-/// [m] Slightly careless stacking of things is not an overlap.
+/// [m] Smaller overlaps of things are allowed, because users stack things only roughly.
 inline constexpr double least_overlap_of_things = 1e-3;
 
 class OdeWorld final : public World {
@@ -39,7 +39,7 @@ public:
 
     Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
                                                    Pose2D pose) override;
-    /// Checks that no movable thing overlaps another shape, beyond rounding and careless stacking. Call it before
+    /// Checks that no movable thing overlaps another shape by more than `least_overlap_of_things`. Call it before
     /// robots are added.
     Expected<void> check_things();
     /// Removes a robot from the world permanently.
@@ -84,11 +84,11 @@ public:
     /// Appends the other robots within the sensor's radius, unless something is between.
     void list_neighbours(const SimRobot& robot, const SensorSpec& neighbours,
                          std::vector<SimulatedBody::InSight>& seen) const;
-    /// For changing what others see and hear of the robot from the next step on. Several robots may do so at the same
-    /// time.
+    /// Returns the robot's message and lights, to be changed. Others see the change from the next step on. Threads may
+    /// call this at the same time for different robots.
     Signals& change_signals(RobotId id);
     bool touches_something(const SimRobot& robot, const SensorSpec& touch_sensor) const;
-    /// The floor's colour for a downward-looking sensor. Nothing outside the floor's picture, or if the sensor is too
+    /// The floor's colour for a downward-looking sensor. No value outside the floor's picture, or if the sensor is too
     /// high.
     std::optional<Rgb> floor_under(const SimRobot& robot, const SensorSpec& sensor) const;
     void play(const SimRobot& robot, const Sound& sound) {
@@ -111,7 +111,7 @@ private:
     void add_shape(const Shape& shape, double mass, Label label);
     void add_border(const ArenaSpec& arena);
     RobotModel& model_of(const RobotSpec& spec);
-    /// Fails with the reason if the robot can't stand there.
+    /// Fails with the reason if the robot can't stand at this pose.
     Expected<void> check_free(const RobotModel& model, const std::string& name, const Pose2D& pose, Scene::Index self);
     void warn_of_high_rays(const std::string& name, const RobotSpec& spec) const;
     Vec3 rest_centre(const RobotModel& model, const Pose2D& pose, Scene::Index self) const;

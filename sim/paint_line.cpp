@@ -1,4 +1,4 @@
-// A segment of a line is a rectangle and a point a disc. Both are polygons, because a pixel may not be square.
+// Paints each segment of a line as a rectangle, and each point as a disc. Both are polygons: pixels may not be square.
 #include "sim/paint_line.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace nezumi::sim {
 namespace {
 
 constexpr double finest = 0.001;           // [m] edge of a pixel
-constexpr double most_floor_pixels = 4e6;  // of a floor without a picture of its own
+constexpr double most_floor_pixels = 4e6;  // of a floor without a picture
 constexpr int corners = 32;                // of a disc
 
 int pixels_along(double length, double pixel) { return std::max(1, static_cast<int>(std::lround(length / pixel))); }

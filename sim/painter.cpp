@@ -1,4 +1,4 @@
-// Painting with a depth buffer, a few rows at a time so that it stays in the cache.
+// Paints with a depth buffer, a few rows at a time so that the buffer stays in the cache.
 //
 // Faces are not sorted from far to near, because such an order does not always exist. The inverse depth is an affine
 // function of the picture coordinates, so a comparison costs one multiplication.

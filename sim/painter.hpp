@@ -17,7 +17,7 @@ struct Face {
     const Picture* picture = nullptr;  ///< drawn instead of the colour; must outlive the painting
     Vec3 top_left = Vec3::Zero();      ///< of the picture
     Vec3 right = Vec3::Zero();         ///< vector to the picture's top right corner
-    Vec3 down = Vec3::Zero();          ///< vector to its bottom left corner, perpendicular to `right`
+    Vec3 down = Vec3::Zero();          ///< vector to the picture's bottom left corner, perpendicular to `right`
     double lift = 0;  ///< [m] the face hides what is less than this in front of it: for pictures on a wall
 };
 

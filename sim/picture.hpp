@@ -8,8 +8,8 @@
 
 namespace nezumi::sim {
 
-/// Reads a picture file: PNG, or by a module loaded on demand any format of OpenCV. Transparent parts become white. An
-/// error gives the reason.
+/// Reads a picture file: PNG, or any format of OpenCV by a module that is loaded on demand. Transparent parts become
+/// white. An error gives the reason.
 Expected<Picture> read_picture(const std::string& file);
 
 /// "#rrggbb" as a colour; grey for anything else.

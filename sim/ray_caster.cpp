@@ -19,7 +19,7 @@ bool may_meet(double x, double y, double reach, const Vec3& direction, double ra
     return dx * dx + dy * dy <= reach * reach;
 }
 
-// The rays of a fan at its place.
+// A fan of rays at the pose of a robot, and the distances that the rays measure.
 class CastFan {
 public:
     CastFan(const RayFan& fan, const Vec3& centre, const Rotation& rotation, std::span<double> distances,
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    // With the rays of a scan that may meet the ball about the shape's centre.
+    // Casts only those rays of a scan that may meet the ball about the shape's centre.
     void cast_at(const Shape& shape, double reach, const RayFan::Scan& scan) {
         if (!is_due(fan_.rays[scan.begin])) return;
         const Vec3 to = rotate_back(rotation_, shape.centre - centre_) - fan_.rays[scan.begin].from;

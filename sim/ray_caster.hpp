@@ -17,7 +17,7 @@ struct RayFan {
         Vec3 direction = Vec3::UnitX();  ///< a unit vector
         double range = 0;                ///< [m]
         std::size_t sensor = 0;          ///< the index of its distance; several rays of one sensor give the nearest hit
-        double reach = 0;  ///< [m] radius of an upright cylinder about the centre that contains it; `add` computes it
+        double reach = 0;  ///< [m] radius of an upright cylinder about the centre that contains the ray; set by `add`
     };
     /// Rays next to each other that start at one point, in a horizontal plane at equal angles, as those of a scanner.
     struct Scan {

@@ -41,7 +41,8 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     inertia = {solid.I[0], solid.I[5], solid.I[10]};
 
     // At rest the wheels carry most of the load and each skid about 15 %, depending on where the hull's centre is
-    // relative to the axle, so that the robot stands level. Each is made longer by the compression of its spring.
+    // relative to the axle, so that the robot stands level. Wheels and skids are made longer by the compression of
+    // their springs.
     const DriveSpec& drive = robot.drive;
     const double arm = std::max(drive.skid, least_skid);
     const double shift = std::clamp(robot.body.at.x / arm, -0.9, 0.9);  // front minus rear, as a part of the weight

@@ -82,7 +82,7 @@ struct RobotModel {
     SoftEquation wheel_normal, wheel_along, wheel_across, skid_normal;
 
     RayFan fan;  ///< of range sensors and scans, with servos at 0; distances in the spec's order
-    std::vector<std::size_t> range_sensors;  ///< their indices in the spec
+    std::vector<std::size_t> range_sensors;  ///< indices of range sensors and scans in the spec
     bool has_servo_sensors = false;
 
     /// The rays at these servo angles [rad], one per actuator of the spec.

@@ -11,12 +11,12 @@
 namespace nezumi::sim {
 namespace {
 
-// With fewer robot-steps than this, one thread is faster: waking a sleeping thread takes as long.
+// With fewer robot-steps than this, one thread is faster: waking another thread takes as long as these steps.
 constexpr std::size_t worth_threads = 500;
 
 }  // namespace
 
-// Calls `action(begin, end, thread)` for shares of the robots. The cost per robot is that of `steps` steps.
+// Calls `action(begin, end, thread)` for shares of the robots; each robot takes `steps` steps.
 template <class Action>
 void RollingAhead::share_out(int steps, const Action& action) {
     const std::size_t count = movers_.robots.size();
@@ -48,7 +48,7 @@ void RollingAhead::roll(std::span<const std::size_t> robots, int steps, std::vec
     }
 }
 
-// Moves those of [begin, end) that are `wanted`, from where they were before.
+// Moves the robots of [begin, end) for which `wanted` is true, from their states in `before_`.
 template <class Wanted>
 void RollingAhead::roll_all(std::size_t begin, std::size_t end, int steps, std::vector<double>& fastest,
                             const Wanted& wanted) {

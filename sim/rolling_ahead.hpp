@@ -31,7 +31,7 @@ public:
     std::span<SimRobot* const> others() const { return others_; }
     /// The squared speed [m^2/s^2] of the fastest robot that is ahead, after step `i`, counted from 0.
     double fastest_squared(int i) const { return fastest_.empty() ? 0 : fastest_[static_cast<std::size_t>(i)]; }
-    /// Moves the robots that are ahead back to their state after `steps`, when the others have taken no more.
+    /// Moves the robots that are ahead back to their state after `steps` steps, if the others have taken only these.
     void go_back_to(int steps);
 
 private:

@@ -1,4 +1,4 @@
-// Filling the grids of a scene.
+// Fills the grids of a scene.
 #include "sim/scene.hpp"
 
 #include <limits>
@@ -62,7 +62,7 @@ Scene::Index Scene::add_mover(const Shape& shape, double reach) {
 }
 
 void Scene::remove_mover(Index index) {
-    // Beyond all reach; the grid drops it at the next refresh.
+    // At infinity no search finds the mover; the grid drops it at the next refresh.
     constexpr double nowhere = std::numeric_limits<double>::infinity();
     movers_[index].centre = {nowhere, nowhere, 0};
     spots_[index].x = spots_[index].y = nowhere;

@@ -23,7 +23,7 @@ public:
     Index add_mover(const Shape& shape, double reach);
     Index add_mover(const Shape& shape) { return add_mover(shape, shape.reach()); }
 
-    /// Searches no longer find it. Its number is not used again.
+    /// Removes a mover: searches no longer find it, and its number is not used again.
     void remove_mover(Index index);
 
     /// Moves a fixed shape.

@@ -1,4 +1,4 @@
-// Makes boxes, prisms for cylinders, signs and the floor, with light from above.
+// Makes the faces of boxes, cylinders (as prisms), signs and the floor, with light from above.
 #include "sim/scenery.hpp"
 
 #include <array>

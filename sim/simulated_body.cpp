@@ -44,7 +44,7 @@ std::uint64_t SimulatedBody::hash_of(const Draw& draw) const {
 }
 
 double SimulatedBody::with_noise(const Draw& draw, double value, double deviation) const {
-    // Two independent deviations are added.
+    // The sensor's deviation and the robot's relative noise are independent, so their squares are added.
     const double both = spec_.noise > 0 ? std::hypot(deviation, spec_.noise * value) : deviation;
     if (both <= 0) return value;
     // Box and Muller (1958), from hashes of (seed, sensor, tick). There is no state, so any tick can be computed again.
@@ -72,7 +72,7 @@ WheelReading SimulatedBody::read_wheels(const Time& now, double period) {
     return reading;
 }
 
-// Without an echo there is no distance to add noise to.
+// A distance with noise; the range, without noise, if nothing is in sight.
 double SimulatedBody::seen_by(const SensorSpec& sensor, const Draw& draw, double distance) const {
     if (distance >= sensor.range) return sensor.range;
     return std::clamp(with_noise(draw, std::max(distance, sensor.minimum), sensor.noise), sensor.minimum, sensor.range);
@@ -89,7 +89,7 @@ void SimulatedBody::measure_range(const Draw& draw, double seen, SensorReading& 
     if (sensor.noise <= 0 && spec_.noise <= 0) return;
     const double noisy = with_noise(draw, reading.value, sensor.noise);
     if (noisy == reading.value) return;
-    // Whether the value is out of range is decided from the noisy value alone.
+    // The distance is computed from the value with noise, so that both agree.
     reading.value = sensor.response.clamp(noisy);
     reading.physical = std::clamp(distance_at(sensor.response, reading.value), sensor.minimum, sensor.range);
 }
@@ -117,7 +117,7 @@ void SimulatedBody::measure_motion(std::int64_t tick, double period) {
     }
 }
 
-// Random numbers belong to the robot that is seen, so they do not depend on who else is there.
+// Random numbers depend only on the robot that is seen, not on the other robots in sight.
 void SimulatedBody::look_around(std::int64_t tick) {
     for (Around& each : around_) {
         if (!each.is_due) continue;

@@ -34,8 +34,9 @@ public:
 
     /// Angle [rad] of each wheel since the start, forward positive, not wrapped.
     virtual Wheels wheel_angles() const = 0;
-    /// Distances [m] seen by the range sensors and scans of the spec, in its order, one for each and one for each ray
-    /// of a scan; infinity: nothing in sight. If `due` is 0 for a distance, it is not needed; empty: all are needed.
+    /// Distances [m] seen by the range sensors and scans of the spec, in its order, one for each range sensor and one
+    /// for each ray of a scan; infinity: nothing in sight. If `due` is 0 for a distance, it is not needed; empty: all
+    /// are needed.
     virtual void read_ranges(std::span<double> distances, std::span<const std::uint8_t> due) const = 0;
     void read_ranges(std::span<double> distances) const { read_ranges(distances, {}); }
     /// Whether sensor `index` of the spec (a button or touch sensor) is closed.
@@ -91,7 +92,7 @@ private:
     void measure_motion(std::int64_t tick, double period);
     void look_around(std::int64_t tick);
     void turn_servos(double period);
-    // The first ray of a sensor among all.
+    // The index of a sensor's first ray among all rays.
     std::size_t first_ray(std::size_t index) const;
 
     const RobotSpec& spec_;
@@ -104,8 +105,8 @@ private:
     };
 
     std::size_t rays_ = 0;           // of all range sensors and scans, in the order of the spec
-    std::vector<double> seen_;       // by those rays, where a scan is among them or they are many
-    std::vector<std::uint8_t> due_;  // of the distances, which are asked for now; empty: all
+    std::vector<double> seen_;       // distances seen by these rays; empty if they are few and without a scan
+    std::vector<std::uint8_t> due_;  // whether each distance is needed now; empty: all are
     std::vector<double> fresh_;      // distances, while not all are due
     std::vector<Inertial> inertial_;
     // A sensor of kind neighbours.

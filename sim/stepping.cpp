@@ -1,4 +1,4 @@
-// Advancing the world by fixed steps.
+// Advances the world by fixed steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ int OdeWorld::step_together(int most) {
     return taken;
 }
 
-// Step `index`, counted from 0, for the robots that are not ahead.
+// Takes step `index`, counted from 0, for things and for the robots that are not ahead.
 void OdeWorld::step_others(int index) {
     place_awake();
     islands_.clear();
@@ -81,7 +81,7 @@ void OdeWorld::place(const Thing& thing) {
     shape.rotation = thing.body.rotation();
 }
 
-// Updates all movers from their bodies.
+// Updates the shapes of all movers from their bodies.
 void OdeWorld::place_movers() {
     for (const Thing& thing : movers_.things) place(thing);
     for (const SimRobot& robot : movers_.robots) {
@@ -89,7 +89,7 @@ void OdeWorld::place_movers() {
     }
 }
 
-// Updates the robots and things of this step.
+// Updates the shapes of awake things, and of robots that may touch something in this step.
 void OdeWorld::place_awake() {
     for (const Thing& thing : movers_.things) {
         if (!thing.asleep) place(thing);
@@ -99,7 +99,7 @@ void OdeWorld::place_awake() {
     }
 }
 
-// Updates the robots that were not ahead; the others are already in place.
+// Updates the shapes of things and of the robots that were not ahead; the others are already in place.
 void OdeWorld::settle() {
     restore_lost_bodies();
     for (const Thing& thing : movers_.things) place(thing);

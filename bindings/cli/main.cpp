@@ -15,8 +15,9 @@ using namespace nezumi;
 
 namespace {
 
-// What to do about a stack limit (`ulimit -s`) with which the program would crash; "" if it is large enough. A
-// behaviour may use 1 MB of the C stack (watchdog.hpp); its callers and libraries need much less than another 1 MB.
+// Returns what to do if the stack limit (`ulimit -s`) is so small that the program could crash; "" if it is large
+// enough. A behaviour may use 1 MB of the C stack (watchdog.hpp); its callers and libraries need much less than another
+// 1 MB.
 std::string stack_problem() {
     constexpr rlim_t least = rlim_t{2} << 20;
     rlimit stack{};

@@ -5,7 +5,7 @@
 
 namespace nezumi::cli {
 
-/// Has its own values of all options, so a new one is made for each parsing.
+/// Each call makes a new description: it holds the option values of one parsing.
 SubCommand program();
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// The function passes from one Lua state to the other as bytecode, which never leaves this process.
+// Copies the function from one Lua state to the other as bytecode, which never leaves this process.
 #include "bindings/console/break_condition.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ int append(lua_State* /*lua*/, const void* bytes, std::size_t size, void* to) {
     return 0;
 }
 
-// Copies a value that is not a table; false for a table.
+// Copies nil, a boolean, a number or a string to the other state. Returns false for all other types.
 bool push_copy(lua_State* to, lua_State* from, int index) {
     switch (lua_type(from, index)) {
         case LUA_TNIL: lua_pushnil(to); return true;
@@ -54,7 +54,7 @@ Expected<std::unique_ptr<BreakCondition>> BreakCondition::of_function(lua_State*
     const int function = lua_absindex(lua, index);
     std::string code;
     lua_pushvalue(lua, function);
-    lua_dump(lua, append, &code, 0);  // it fails for functions of C alone
+    lua_dump(lua, append, &code, 0);  // fails only for C functions
     lua_pop(lua, 1);
     auto state = create_sandbox();
     if (!state) return Unexpected(state.error());
@@ -77,7 +77,7 @@ Expected<std::unique_ptr<BreakCondition>> BreakCondition::of_function(lua_State*
     if (!loaded) return failure(loaded.error().message);
     if (wrong != nullptr)
         return failure(
-            fmt::format("the condition uses '{}': it can use only its argument, numbers and strings", wrong));
+            fmt::format("the condition uses '{}': a condition can use only its argument, numbers and strings", wrong));
     return std::unique_ptr<BreakCondition>(new BreakCondition(std::move(*state)));
 }
 

@@ -1,4 +1,5 @@
-// The condition of a breakpoint: a function of the console, in a Lua state of its own, so that it can't touch the run.
+// The condition of a breakpoint: a Lua function from the console, copied into a separate Lua state, so that it can't
+// change the run.
 #pragma once
 
 #include <lua.hpp>
@@ -17,7 +18,7 @@ public:
     /// values are numbers, texts or booleans. Raises no error.
     static Expected<std::unique_ptr<BreakCondition>> of_function(lua_State* lua, int index);
 
-    /// Calls it with a table of variables. An error if it fails.
+    /// Calls the function with a table of the variables. Returns an error if the function fails.
     Expected<bool> holds(const std::vector<ErrorFrames::Variable>& variables);
 
 private:

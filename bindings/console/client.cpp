@@ -19,7 +19,7 @@ std::int64_t ConsoleClient::send(Request request) {
         if (count > 0) sent += static_cast<std::size_t>(count);
         if (count >= 0 || errno == EINTR) continue;
         if (errno == EPIPE || errno == ECONNRESET) break;  // the last messages can still be read
-        close();                                           // no answer would come
+        close();                                           // no answer can come any more
     }
     return last_id_;
 }

@@ -13,13 +13,13 @@ class ConsoleClient {
 public:
     explicit ConsoleClient(Descriptor socket) : socket_(std::move(socket)) {}
 
-    /// Readable if an event may have come.
+    /// A file descriptor that is readable if an event may have come.
     int file() const { return socket_.get(); }
     bool is_open() const { return bool(socket_); }
     /// Closes the connection.
     void close() { socket_.close(); }
 
-    /// Sends a request with a new id, which is returned. If the system is gone, this closes the client.
+    /// Sends a request with a new id and returns this id. Closes the connection if the system is gone.
     std::int64_t send(Request request);
     /// The next event. Waits for at most `timeout` [ms]; -1 waits without a limit. Returns nothing if no event came in
     /// this time, or if the system is gone (`is_open`).

@@ -1,4 +1,4 @@
-// Completes the arguments of commands as their rows in the table of commands describe.
+// Completes the arguments of a command as its row in the table of commands describes.
 #include "bindings/console/command_offers.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What can stand in the arguments of the console's commands.
+// Completions for the arguments of the console's commands.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace nezumi {
 
-/// The components of this system. Components of other hosts are not global names of Lua.
+/// Names of this system's components. Components of other hosts are left out: they are not global names of Lua.
 std::vector<std::string> names_of(const System& system);
 
-/// The kind of value that the argument at the cursor takes; nothing if the call is not a command of the console.
+/// The kind of value for the argument at the cursor; `Offer::nothing` if the call is not a command of the console.
 Offer offer_at(const TextAtCursor& call);
 /// Values for the quoted text at the cursor.
 std::vector<std::string> texts_at(const System& system, const TextAtCursor& text);

@@ -22,7 +22,7 @@
 namespace nezumi {
 namespace {
 
-// "keeper.lua:12".
+// Reads a place such as "keeper.lua:12".
 Expected<LineTrace::Watched> read_place(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     LineTrace::Watched place{.file = text.substr(0, colon)};
@@ -41,7 +41,7 @@ std::vector<const ScriptComponent*> scripts_of(const System& system) {
     return scripts;
 }
 
-// The file of a script with this name, as messages have it; "" for none.
+// The file of this name among the files of a script, as messages show it; "" if the script has none of this name.
 std::string file_in(const ScriptComponent& script, const std::string& name) {
     if (is_file(script.script_file()->shown, name)) return script.script_file()->shown;
     for (const ScriptFile& module : script.script().modules()) {
@@ -94,7 +94,7 @@ Expected<CommandEnd> command_break_at(Session::Parts& parts, const Arguments& ar
     const auto line = parts.at_system([&] { return std::optional(line_of(parts.live.system(), *place)); });
     if (!line) return failure("interrupted");
     if (!*line) return Unexpected((*line).error());
-    // Before the first execution is shown, which real robots may make at once.
+    // This line must come before the first execution, which a real robot may make immediately.
     parts.show(fmt::format("{} {}: {}   (unwatch() ends it)",
                            parts.is_hardware ? "traces" : "stops after a tick that runs", text_of(*place), **line));
     parts.at_system([&] {
@@ -148,12 +148,12 @@ void stop_at_breaks(Session::Parts& parts) {
                 }
                 if (!*is_true) continue;
             }
-            // Real robots go on, and a second has only so many lines to read.
+            // Real robots do not stop, so hits are shown at most once a second: more can't be read.
             if (parts.is_hardware && now < of->shown_at + 1) continue;
             of->shown_at = now;
             if (!parts.is_hardware) {
                 parts.clock.pause();
-                parts.moves = parts.clock.moves();  // ends a waiting step or run here, without an error
+                parts.moves = parts.clock.moves();  // a step or run that waits ends now, without an error
             }
             parts.show(fmt::format("{}:{} ran at {:g} s{}", hit.file, hit.line, script->now().seconds,
                                    parts.is_hardware ? "" : ": time is paused"));
@@ -232,7 +232,7 @@ void show_profile(Session::Parts& parts) {
     if (only == profile->components.end()) return;
     if (only->second.lines.nodes().size() <= 1 && !only->second.times.empty())
         return parts.show(
-            fmt::format("its lines were not measured, because break_at looked at them: unwatch() ends it"));
+            fmt::format("the lines were not measured, because a break_at watched them: unwatch() ends break_at"));
     parts.show(
         fmt::format("measuring each line takes time itself: without it {} is faster than shown", profile->by_line));
     for (const ScriptComponent* script : scripts_of(parts.live.system())) {

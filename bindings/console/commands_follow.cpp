@@ -53,7 +53,7 @@ Expected<CommandEnd> command_unwatch(Session::Parts& parts, const Arguments& arg
         if (std::erase_if(parts.changes, [&](const ChangeWatch& each) { return each.name == *value; }) > 0)
             return CommandEnd::done;
     }
-    // A port that is gone can be named by its text.
+    // A port that no longer exists can only be named by its text.
     auto port = path(parts, arguments);
     if (auto theirs = port_of_host(arguments.lua, 1); !port && theirs) port = std::move(*theirs);
     if (!port) port = arguments.text(1, "a port");
@@ -85,7 +85,7 @@ Expected<CommandEnd> command_explain(Session::Parts& parts, const Arguments& arg
 }
 
 Expected<CommandEnd> command_drive(Session::Parts& parts, const Arguments& arguments) {
-    if (!parts.options.output.take_keys) return failure("this needs a terminal: there are no keys here");
+    if (!parts.options.output.take_keys) return failure("this needs a terminal, because it reads keys");
     Expected<std::string> what = path(parts, arguments);
     if (!what) {
         const auto component = arguments.count() < 1 ? Expected<ComponentAt>(failure("drive \"stick\""))

@@ -58,14 +58,14 @@ void find_in(Finder& finder, const Component& component) {
 
 std::string help_line(const ConsoleCommand& command) { return fmt::format("  {:40} {}", command.usage, command.help); }
 
-// The command of an argument, given by its function or by its name; null for anything else.
+// The command that the argument means: its function, or its name. Null for anything else.
 const ConsoleCommand* command_asked(const Arguments& arguments) {
     if (const ConsoleCommand* command = command_at(arguments.lua, 1)) return command;
     if (lua_type(arguments.lua, 1) != LUA_TSTRING) return nullptr;
     return find_console_command(text_at(arguments.lua, 1));
 }
 
-// The help for an argument. The error says what has help.
+// The help text for the argument. Returns an error if the argument has none.
 Expected<std::string> help_asked(Session::Parts& parts, const Arguments& arguments) {
     const auto help_of = [&](const auto& find) {
         return parts.at_system([&]() -> Expected<std::string> {
@@ -76,17 +76,18 @@ Expected<std::string> help_asked(Session::Parts& parts, const Arguments& argumen
     if (const ObjectRef* ref = to_object(arguments.lua, 1)) {
         if (ref->kind == ObjectKind::system) return failure("help() lists the commands, ls() shows the system");
         if (ref->kind == ObjectKind::remote) return text_of_host(*parts.objects, *ref, Question::What::help);
-        if (ref->kind >= ObjectKind::hosts) return failure("hosts alone shows the other hosts and their components");
+        if (ref->kind >= ObjectKind::hosts)
+            return failure("there is no help for hosts: the input `hosts` shows the other hosts and their components");
         return help_of([&] { return node_of(*ref); });
     }
-    const auto name = arguments.text(1, "a word, a component, a port or a name, as in help \"mouse.status\"");
+    const auto name = arguments.text(1, "a command, a component, a port or a name, as in help \"mouse.status\"");
     if (!name) return Unexpected(name.error());
     const std::vector<std::string> components = component_names(parts);
     if (name->find_first_of(".:") != std::string::npos || contains(components, *name))
         return help_of([&] { return parts.live.tree().find(*name); });
     std::vector<std::string_view> names(components.begin(), components.end());
     for (const ConsoleCommand& command : console_commands()) names.emplace_back(command.name);
-    return failure(fmt::format("there is no word '{}'{}", shown(*name), did_you_mean(*name, names)));
+    return failure(fmt::format("there is no command or component '{}'{}", shown(*name), did_you_mean(*name, names)));
 }
 
 // A line for each function that was running: "  keeper.lua:9 turn: angle = 0.5, near = true".
@@ -155,7 +156,7 @@ Expected<CommandEnd> command_errors(Session::Parts& parts, const Arguments&) {
     const ActTime now = parts.live.when();
     const double seconds = parts.live.system().now().seconds;
     for (const LogLine& line : parts.clock.problems()) {
-        // In the past, later events have not happened.
+        // After a seek into the past, lines from after this moment are left out.
         const bool is_later = line.start > now.start || (line.start == now.start && line.seconds > seconds);
         if (parts.live.is_past() && is_later) continue;
         const std::string start = line.start == parts.live.starts() ? "" : fmt::format("start {}, ", line.start);
@@ -166,7 +167,7 @@ Expected<CommandEnd> command_errors(Session::Parts& parts, const Arguments&) {
         if (component->state() != LifeState::error) continue;
         const Error& error = component->last_error();
         add(fmt::format("{} is in ERROR: {}", component->name(), visible_message(describe(error))));
-        // A single function without variables says no more than the error's location.
+        // A single function without variables is left out: the error's location already shows it.
         if (error.frames && (error.frames->all.size() > 1 || !error.frames->all.front().locals.empty()))
             add(frames_text(*error.frames));
     }

@@ -13,7 +13,7 @@
 namespace nezumi {
 namespace {
 
-// The components that a command is for: one, or all in a state, in this order.
+// The components that a command applies to: the given one, or all in this state, in the order of the system.
 Expected<std::vector<std::string>> wanted(Session::Parts& parts, const Arguments& arguments, LifeState state) {
     using Names = std::vector<std::string>;
     return parts.at_system([&]() -> Expected<Names> {
@@ -66,7 +66,7 @@ Expected<CommandEnd> command_activate(Session::Parts& parts, const Arguments& ar
         return ask_peers(parts, {.what = PeerRequest::What::activate, .name = std::move(*peer)});
     const auto names = wanted(parts, arguments, LifeState::inactive);
     if (!names) return Unexpected(names.error());
-    return act_on<Activate>(parts, *names, "ACTIVE now", "nothing is INACTIVE");
+    return act_on<Activate>(parts, *names, "ACTIVE now", "no component is INACTIVE");
 }
 
 Expected<CommandEnd> command_deactivate(Session::Parts& parts, const Arguments& arguments) {
@@ -76,7 +76,7 @@ Expected<CommandEnd> command_deactivate(Session::Parts& parts, const Arguments& 
     if (!names) return Unexpected(names.error());
     // The last first, as at the end of a run: a behaviour stops before the robot that it drives.
     std::reverse(names->begin(), names->end());
-    return act_on<Deactivate>(parts, *names, "INACTIVE now", "nothing is ACTIVE");
+    return act_on<Deactivate>(parts, *names, "INACTIVE now", "no component is ACTIVE");
 }
 
 Expected<CommandEnd> command_log_level(Session::Parts& parts, const Arguments& arguments) {

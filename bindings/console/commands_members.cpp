@@ -17,8 +17,8 @@
 namespace nezumi {
 namespace {
 
-// The running system as data, which words of system files extend. It is a copy, so that these words can read files
-// while ticks go on.
+// A copy of the running system's data. Words of system files such as `robot` extend the copy, and may read files while
+// ticks go on.
 struct Present {
     Project project;
     SystemSpec spec;
@@ -26,10 +26,11 @@ struct Present {
 
 Present present_of(const RunningSystem& live) { return {live.project(), live.spec()}; }
 
-// An added entry belongs to the file of the system, without a line.
+// The place of an added entry is the system's file, without a line.
 WordCall call_of(const std::string& word, const Present& present) { return {word, {present.spec.file}, nullptr}; }
 
-// An error of the input has no file; an error of a script or robot file has one. The console adds the word itself.
+// Removes what the console shows anyway: the place, if the error is in the input and not in a script or robot file, and
+// the word.
 Error as_typed(Error error, const Present& present) {
     if (error.place.file == present.spec.file) error.place = {};
     constexpr std::string_view marker = "marker: ";

@@ -23,19 +23,19 @@ namespace nezumi {
 struct BranchRow {
     static constexpr std::string_view type_name = "branch";
     std::string name;
-    std::string parent;  ///< the branch that it left; "" for the first
-    double left;         ///< [s] when it left its parent
-    double ends;         ///< [s] how far it has come, since its last start
-    bool present;        ///< the system is on it
+    std::string parent;  ///< the branch from which it branched off; "" for the first
+    double left;         ///< [s] when it branched off
+    double ends;         ///< [s] its end, since its last start
+    bool present;        ///< whether the system is on this branch
 };
 
 namespace {
 
 using Clock = PastRun::Clock;
 
-// The longest time of a slice, in which other users wait.
+// The longest time of a slice. Other users wait during a slice.
 constexpr std::chrono::milliseconds slice{5};
-// Progress is shown from this time on.
+// Progress is shown if the computation takes longer than this.
 constexpr std::chrono::milliseconds patience{300};
 
 std::int64_t tick_at(const RunningSystem& live, double seconds) {
@@ -65,7 +65,7 @@ Expected<bool> compute_past(Session::Parts& parts, PastRun& run, std::string_vie
         const bool is_beside = Worker::has_thread && !parts.clock.is_paused();
         there = is_beside ? run.go_on_beside(parts.worker.until()) : run.go_on(Clock::now() + slice);
         const int percent = static_cast<int>(100 * run.progress());
-        // Only a person looks at progress.
+        // Only a console with keys, so with a person, gets the progress.
         if (parts.options.output.take_keys && Clock::now() - begin > patience && percent != shown_percent) {
             if (shown_percent < 0) give_keys(parts, true);
             parts.show_in_place(fmt::format("{}: {} %, Esc cancels", what, percent));
@@ -84,10 +84,10 @@ Expected<bool> compute_past(Session::Parts& parts, PastRun& run, std::string_vie
 
 namespace {
 
-// Goes to the moment that `find` returns, which is called between two ticks.
+// Goes to the moment that `find` returns. `find` is called between two ticks.
 template <class Find>
 Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
-    // The time that this takes is not the time of a script.
+    // This time must not count as time of the user's script.
     const CallPause pause;
     auto past = parts.at_system([&]() -> std::optional<Expected<std::unique_ptr<PastRun>>> {
         if (parts.clock.is_hardware()) return failure("real robots can't go back in time");
@@ -114,13 +114,14 @@ Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
     return CommandEnd::done;
 }
 
-// To the present where other programs wait, if there are any.
+// Goes back to the present if other programs wait there. An error if the run is in the past and no program waits.
 Expected<void> come_back(Session::Parts& parts) {
     RunningSystem& live = parts.live;
     if (live.is_away()) return live.act(live.back(), parts.options.who).map([](const ActResult&) {});
     if (!live.is_past()) return {};
-    return failure(fmt::format("no other program waits: seek \"{}\" goes to the end of this branch",
-                               live.history().branches()[live.history().current()].name));
+    return failure(
+        fmt::format("live is only for runs with other programs that wait: seek \"{}\" goes to the end of this branch",
+                    live.history().branches()[live.history().current()].name));
 }
 
 }  // namespace
@@ -138,7 +139,7 @@ Expected<CommandEnd> explain_failure(Session::Parts& parts, const std::string& n
     if (!*past) return Unexpected(past->error());
     PastExecution& execution = ***past;
     if (auto computed = compute_past(parts, execution.run()); !computed) return Unexpected(computed.error());
-    // The past system belongs to this command, but its ticks belong to the thread that runs ticks.
+    // This command owns the past system, but only the ticking thread may use it.
     const auto explained = parts.at_system([&] { return std::make_optional(execution.explain()); });
     if (!explained) return failure("interrupted");
     if (!*explained) return Unexpected(explained->error());
@@ -175,7 +176,7 @@ Expected<CommandEnd> command_rewind(Session::Parts& parts, const Arguments& argu
     return go_to(parts, [&]() -> Expected<Seek> {
         const std::int64_t back = tick_at(parts.live, std::min(*seconds, 1e9));
         Seek where{.tick = parts.live.system().now().tick - back, .start = parts.live.starts()};
-        // Before a restart, time goes on at its end.
+        // A time before the start of this run is counted back from the end of the start before.
         while (where.tick < 0) {
             const auto end = where.start > 1
                                  ? parts.live.history().end_of_start(where.start - 1, parts.live.history().current())

@@ -94,7 +94,7 @@ Expected<PlotRequest> read(const Session::Parts& parts, const Arguments& argumen
     return plot;
 }
 
-// To the host of "ev3/vehicle.current_vel.vx".
+// The question for the curves of "ev3/vehicle.current_vel.vx", to its host "ev3".
 Question question_of(std::string_view name, double seconds) {
     std::string_view part = without_host(name);
     const std::string_view component = take_step(part);
@@ -112,14 +112,14 @@ Expected<void> take_answer(PlotRequest::Elsewhere& elsewhere, const Expected<Pla
     return {};
 }
 
-// "controller.out" with "vx", "[1]" or "value": what a leaf is called.
+// The name of a curve: "controller.out" with "vx" or "[1]"; "value" means the whole port and adds nothing.
 std::string full_name(const std::string& whole, const std::string& label) {
     return label == "value" ? whole : join_path(whole, label);
 }
 
 constexpr std::string_view marks = "*o+x#%@&";
 
-// Begins to compute again what is no longer remembered for a plot, or was not yet; null if all is remembered.
+// Begins to compute the values of a plot that are not in the trace. Null if the trace has all of them.
 Expected<std::unique_ptr<PastValues>> begin_earlier(RunningSystem& live, const PlotRequest& plot) {
     const double now = live.system().now().seconds, from = std::max(0.0, now - plot.seconds);
     std::vector<std::string> names;
@@ -160,7 +160,7 @@ Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot, 
                           : recent_curves(trace, name, plot.seconds, looked.to);
         if (!recent) return Unexpected(recent.error());
         if (elsewhere == plot.elsewhere.end()) name = join_path(recent->whole, recent->part);
-        // Other hosts have their own time.
+        // Times of other hosts are converted to the time of this system.
         const double ahead = looked.to - recent->now;
         for (Curve& curve : recent->curves) {
             for (auto& point : curve.points) point.first += ahead;
@@ -184,7 +184,7 @@ std::string to_text(PlotCurves looked) {
     const auto names = fmt::format("{}", fmt::join(looked.plot.names, ", "));
     if (looked.curves.empty()) return names + " carried nothing in this time that can be drawn";
     if (looked.plot.names.size() == 1) return names + "\n" + braille_plot(looked.curves, looked.from, looked.to);
-    // Several ports share one drawing, and so one scale.
+    // Several ports are drawn together, with one scale.
     std::vector<Curve> drawn;
     std::string texts;
     for (Curve& curve : looked.curves) {
@@ -203,7 +203,7 @@ std::string to_text(PlotCurves looked) {
 
 bool draw_again(Session::Parts& parts, PlotRequest& plot) {
     const double now = parts.live.system().now().seconds;
-    if (now < plot.next - plot.every) plot.next = now;  // started again
+    if (now < plot.next - plot.every) plot.next = now;  // time has gone back, by a restart or a seek
     if (now < plot.next) return true;
     Expected<void> answered{};
     for (auto& [name, each] : plot.elsewhere) {
@@ -230,7 +230,8 @@ Expected<CommandEnd> command_plot(Session::Parts& parts, const Arguments& argume
         const auto answer = ask_host(*parts.objects, parts.live, question_of(name, plot->seconds));
         if (auto taken = take_answer(each, answer); !taken) return Unexpected(taken.error());
     }
-    // A copy is drawn, because drawing takes longer than copying. One that is drawn again shows what is remembered.
+    // Draws a copy of the data, because drawing takes longer than copying. A repeated plot never computes earlier
+    // values.
     Expected<std::unique_ptr<PastValues>> earlier = nullptr;
     auto looked = parts.at_system([&]() -> Expected<PlotCurves> {
         auto curves = look_at_plot(parts.live, *plot);
@@ -246,7 +247,7 @@ Expected<CommandEnd> command_plot(Session::Parts& parts, const Arguments& argume
     if (!looked) return Unexpected(looked.error());
     bool in_place = looked->plot.every > 0;
     if (earlier && *earlier != nullptr) {
-        const CallPause pause;  // the time that this takes is not the time of a script
+        const CallPause pause;  // this time must not count as time of the user's script
         const auto computed = compute_past(parts, (*earlier)->run(), "computing earlier values");
         if (computed) {
             in_place = *computed;

@@ -1,4 +1,4 @@
-// The command that gives recent values as a table, for programs.
+// The command `samples`: gives recent values as a table, for programs.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,12 +11,12 @@
 
 namespace nezumi {
 
-/// What `samples` gives.
+/// The result of `samples`.
 struct PortSamples {
     static constexpr std::string_view type_name = "samples";
     std::vector<std::string> labels;        ///< of the values: "vx", "[1]", "" for a single one
-    std::vector<std::string> texts;         ///< the value of a text is its place here, from 1
-    std::vector<bool> are_texts;            ///< for each label
+    std::vector<std::string> texts;         ///< all texts; in `rows`, a text is its index in this list, from 1
+    std::vector<bool> are_texts;            ///< for each label: its values are texts
     std::vector<std::vector<double>> rows;  ///< stamp [s] and values, the oldest first
 };
 

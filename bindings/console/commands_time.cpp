@@ -79,7 +79,7 @@ Expected<CommandEnd> command_speed(Session::Parts& parts, const Arguments& argum
     return CommandEnd::done;
 }
 
-// Refuses a restart that would lose things that were added by acts and are in no file.
+// Refuses a restart that would lose components that were added to the running system and are in no file.
 Expected<void> check_lost(Session::Parts& parts, const std::vector<std::string>& names) {
     if (names.empty()) return {};
     const auto at = parts.at_system([&] {
@@ -87,7 +87,7 @@ Expected<void> check_lost(Session::Parts& parts, const std::vector<std::string>&
     });
     if (!at) return failure("interrupted");
     const auto& [project, file] = *at;
-    // Only what is in the system's own file exists after a restart.
+    // A restart reads only the system's own file, so the components must be saved to this file.
     const bool can_write = file_to_write(writable_folder(project, file), file, {.endings = {".lua"}}).has_value();
     const std::string how = can_write ? fmt::format("save \"{}\" keeps them in the system's file", file)
                                       : "save \"FILE.lua\" and run that file to keep them";
@@ -112,7 +112,7 @@ Expected<CommandEnd> command_restart(Session::Parts& parts, const Arguments& arg
 
 Expected<CommandEnd> command_quit(Session::Parts& parts, const Arguments&) {
     parts.jobs.clear();
-    parts.quits = Worker::Clock::now();  // after its line is answered
+    parts.quits = Worker::Clock::now();  // the run ends after the answer to this input
     return CommandEnd::done;
 }
 

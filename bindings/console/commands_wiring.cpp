@@ -7,8 +7,8 @@
 namespace nezumi {
 namespace {
 
-// The path "name.port" for a port of the system. Names of other ports ("rtm:NAME.port", "host/name.port") are not
-// changed, because connecting resolves them.
+// The path "name.port" of a port of this system. Names of other ports ("rtm:NAME.port", "host/name.port") stay as they
+// are: the act that connects them finds their ports.
 Expected<std::string> port(Session::Parts& parts, const Arguments& arguments, int index) {
     if (index > arguments.count()) return failure("expected a port or \"name.port\", got nothing");
     if (peer_named(arguments, index)) return arguments.text(index, "a port");
@@ -22,7 +22,7 @@ Expected<std::string> port(Session::Parts& parts, const Arguments& arguments, in
 
 bool is_of_hosts(std::string_view from, std::string_view to) { return is_remote(from) && is_remote(to); }
 
-// Both ports are of other hosts: the one that receives is asked for the connection.
+// For two ports of other hosts: asks the host of the receiving port to make or end the connection.
 Expected<CommandEnd> ask_there(const Session::Parts& parts, Question::What what, const std::string& from,
                                const std::string& to) {
     std::string_view port = without_host(to);

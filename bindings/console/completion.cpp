@@ -65,7 +65,7 @@ public:
         });
     }
 
-    /// The tree's node for the chain, if the system may be read.
+    /// The tree's node for the chain; nothing if there is none.
     std::optional<TreeNode> node(bool plotted = false) const {
         auto node = start();
         for (std::size_t i = rest_; node && i < chain_.size(); ++i)
@@ -93,7 +93,7 @@ private:
         return ref != nullptr ? node_of(*ref) : failure("");
     }
 
-    // Hosts and components are known here. The host is asked for the members of a component.
+    // This system knows the hosts and their components. For the members of a component it asks the host.
     Names names_of_host(const ObjectRef& ref, TreeNode::Called called, bool plotted) const {
         Names steps;
         if (ref.kind == ObjectKind::host) steps = {std::string(ref.component())};
@@ -138,7 +138,7 @@ private:
     lua_State* lua_;
     int top_;
     const Names& chain_;
-    std::size_t rest_ = 0;  // the first name that Lua does not know
+    std::size_t rest_ = 0;  // index of the first name that is not a global or a command
     bool found_ = false;    // there is a value on top of the stack
 };
 

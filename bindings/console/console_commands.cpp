@@ -1,4 +1,5 @@
-// One C function serves all commands. It raises a Lua error for a wrong call only after all C++ objects are destroyed.
+// One C function runs all commands. After a wrong call, it first destroys all C++ objects, and then raises the Lua
+// error.
 #include "bindings/console/console_commands.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/slices.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 enum class Outcome : unsigned char { done, number, value, table, waits, failed };
 
-// Lets the ticks pass that a command waits for, and detects if another user changes time meanwhile.
+// Waits until the ticks of a command have passed, and detects if another user changes time meanwhile.
 class Wait {
 public:
     explicit Wait(Session::Parts& parts)
@@ -47,7 +48,7 @@ Expected<CommandEnd> run(Session::Parts& parts, const ConsoleCommand& command, c
             end = command.run(parts, arguments);
             if (!end || *end != CommandEnd::wait) return true;
             wait.emplace(parts);
-            if (!Worker::has_thread) {  // the input pauses, and asks this
+            if (!Worker::has_thread) {  // the input pauses, and calls this to see if the wait is over
                 parts.waits = [wait = *wait] { return wait.is_over() ? std::optional(wait.end()) : std::nullopt; };
                 return true;
             }
@@ -80,7 +81,7 @@ Outcome run_command(lua_State* L, Session::Parts& parts, const ConsoleCommand& c
 
 int call_with_table(lua_State* L);
 
-// Whether a paused input may go on; an error is kept.
+// Whether a paused input may continue. An error is stored with `keep_error`.
 Outcome end_wait(lua_State* L, Session::Parts& parts) {
     const auto ended = parts.waits();
     parts.waiting = !ended;
@@ -101,10 +102,11 @@ int go_on_waiting(lua_State* L, int /*status*/, lua_KContext /*context*/) {
 
 int begin_waiting(lua_State* L) {
     if (can_pause(L)) return go_on_waiting(L, LUA_OK, 0);
-    return luaL_error(L, "a page can't wait here: call this function directly");
+    return luaL_error(L,
+                      "a web page can't wait for ticks inside this function: call the command directly in the input");
 }
 
-// Upvalues: the parts, the number of the command.
+// The Lua function of each command. Upvalues: the parts, the number of the command.
 int call_command(lua_State* L) {
     Session::Parts& parts = parts_of(L);
     const auto number = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(2)));
@@ -124,15 +126,15 @@ int call_command(lua_State* L) {
     return 0;
 }
 
-// The function that `robot "mouse"` returns: the same command with the name, for the table. Upvalues: those of the
-// command, and the name.
+// The function that `robot "mouse"` returns: takes the table and runs the command with name and table. Upvalues: those
+// of the command, and the name.
 int call_with_table(lua_State* L) {
     lua_pushvalue(L, lua_upvalueindex(3));
     lua_insert(L, 1);
     return call_command(L);
 }
 
-// The command of such a function, from its second upvalue.
+// The command of one of these two functions, from its second upvalue.
 const ConsoleCommand& command_of(lua_State* L, int index) {
     lua_getupvalue(L, index, 2);
     const auto number = static_cast<std::size_t>(lua_tointeger(L, -1));
@@ -151,7 +153,7 @@ const std::vector<ConsoleCommand>& console_commands() {
          command_ls,
          true,
          {Offer::component}},
-        {"find", "find \"vel\"", "lists ports, parameters and commands whose name or description has this", 1,
+        {"find", "find \"vel\"", "lists ports, parameters and commands whose name or description contains this", 1,
          command_find, true},
         {"watch",
          "watch(port)",
@@ -201,7 +203,7 @@ const std::vector<ConsoleCommand>& console_commands() {
          {Offer::port}},
         {"profile",
          "profile(seconds, component)",
-         "measures what each behaviour costs in the next seconds, and each line of this one",
+         "measures what each component costs in the next seconds, and each line of this behaviour",
          2,
          command_profile,
          false,
@@ -373,7 +375,7 @@ const std::vector<ConsoleCommand>& console_commands() {
          true,
          {Offer::topic}},
         {"quit", "quit()", "ends the run", 0, command_quit},
-        {"exit", "exit()", "is quit()", 0, command_quit},
+        {"exit", "exit()", "the same as quit()", 0, command_quit},
     };
     return commands;
 }

@@ -13,13 +13,13 @@
 
 namespace nezumi {
 
-/// What happens after a command.
+/// How a command ends, and what follows.
 enum class CommandEnd : unsigned char {
     done,
-    number,  ///< it returns `Parts::number`
-    value,   ///< it returns `Parts::value`
-    table,   ///< it returns a function that takes the table to the name that it was given: `robot "mouse" { ... }`
-    wait,    ///< the input continues after `Parts::ticks`
+    number,  ///< the command returns `Parts::number`
+    value,   ///< the command returns `Parts::value`
+    table,   ///< the command got only a name; it returns a function that takes the table: `robot "mouse" { ... }`
+    wait,    ///< the input continues when `Parts::ticks` ticks have passed
 };
 
 /// What completion offers for an argument of a command.
@@ -31,25 +31,25 @@ enum class Offer : unsigned char {
     source,     ///< an out-port, also one of another host
     target,     ///< an in-port of the type of the first argument, also one of another host
     in_port,    ///< an in-port of that type, only of this system
-    value,      ///< the fields of what the port before it carries
-    carried,    ///< a marker, a robot, or a thing as in "box 1"
+    value,      ///< the fields of a message of the port in the argument before
+    carried,    ///< what `teleport` can move: a marker, a robot, or a thing such as "box 1"
     removable,  ///< a component or marker
     log_level,
     anyway,  ///< the text "anyway"
     max,     ///< the text "max"
-    topic,   ///< what `help` explains by its name alone
+    topic,   ///< a name that `help` explains
 };
 
 struct ConsoleCommand {
     const char* name;
     const char* usage;  ///< "step(n)": it begins with the name
     const char* help;   ///< one sentence
-    int most;           ///< arguments at most
+    int most;           ///< maximum number of arguments
     Expected<CommandEnd> (*run)(Session::Parts& parts, const Arguments& arguments);
     /// True: it runs in the thread of the session while ticks go on, and asks the ticking thread for what it needs of
     /// the system. False: it runs between two ticks, so it must not read large values from Lua.
     bool beside = false;
-    std::vector<Offer> offers{};  ///< of its arguments, in order; the last one is also for all further arguments
+    std::vector<Offer> offers{};  ///< for its arguments, in order; the last offer is also for all further arguments
     /// The name of the record in `file_records` or `console_records` that describes its table, and the first argument
     /// that may be this table.
     struct Table {
@@ -61,7 +61,7 @@ struct ConsoleCommand {
 /// The command of this name, or null.
 const ConsoleCommand* find_console_command(std::string_view name);
 
-/// All of them, in the order of `help()`.
+/// All commands, in the order of `help()`.
 const std::vector<ConsoleCommand>& console_commands();
 
 /// Adds the functions of all commands to the table on top of the stack. May raise a Lua error.
@@ -72,11 +72,11 @@ const ConsoleCommand* command_at(lua_State* L, int index);
 /// The levels that `log_level` accepts, most verbose first.
 std::vector<std::string> log_level_names();
 
-/// The text of a value that `robot "mouse"` returned, and that waits for its table: `robot "mouse"`. "" for any other
-/// value.
+/// If the value was returned by a command that still needs its table, the text of this command, as in
+/// `robot "mouse"`; "" for any other value.
 std::string waiting_command_at(lua_State* L, int index);
 
-/// The result of a command that was one act and shows nothing.
+/// The result of a command that performed one act and shows nothing.
 template <class Result>
 Expected<CommandEnd> done(const Expected<Result>& acted) {
     if (!acted) return Unexpected(acted.error());
@@ -85,9 +85,9 @@ Expected<CommandEnd> done(const Expected<Result>& acted) {
 
 /// The name after "rtm:" if the argument is such a text.
 std::optional<std::string> peer_named(const Arguments& arguments, int position);
-/// The name of a value that is given as plot's are: `controller.out.vx`, a port, or a text.
+/// The name of a value, from an argument as `plot` takes it: `controller.out.vx`, a port, or a text.
 Expected<std::string> name_of_value(Session::Parts& parts, const Arguments& arguments, int position);
-/// Goes back to the execution in which a behaviour failed, beside the present system, and shows it.
+/// Computes the execution in which a behaviour failed once more, in a copy of the system, and shows it.
 Expected<CommandEnd> explain_failure(Session::Parts& parts, const std::string& name);
 /// Sends a request to components of other programs, waits for the answer, and shows it. For commands that run beside
 /// the ticks.

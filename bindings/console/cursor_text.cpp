@@ -8,7 +8,7 @@ namespace {
 
 using Kind = SyntaxNode::Kind;
 
-// The name of the field that a value is assigned to; nothing for an element.
+// The name of the field in an entry of a table; "" for an entry without a name.
 std::string given_field(const SyntaxNode& entry) {
     if (entry.is(Kind::field)) return std::string(entry.word_text());
     return entry.is(Kind::keyed_field) ? std::string(entry.child->string().value_or("")) : "";
@@ -38,7 +38,7 @@ bool CursorText::touches_cursor(const Token& token) const {
     return token.text.data() + token.text.size() == tree_.source().data() + tree_.source().size();
 }
 
-// The names before the separator of a member; without a separator, only the name.
+// The names before the separator of a member; without a separator, only the part at the cursor.
 NameAtCursor CursorText::named(const SyntaxNode& node, const Token* separator) const {
     NameAtCursor result;
     if (separator == nullptr) return result;

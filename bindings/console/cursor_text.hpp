@@ -15,17 +15,17 @@ struct NameAtCursor {
     std::vector<std::string> chain;  ///< names before the part; `x["in"]` counts as a name
     char separator = 0;              ///< '.' or ':' before the part; 0: the part is the first name
     std::size_t from = 0;            ///< [bytes] where the part begins
-    bool broken = false;             ///< there is more than names before the part, so nothing is known about it
+    bool broken = false;             ///< an expression other than names stands before the part, so its value is unknown
 };
 
-/// In `connect("controller.out", "mo`, `callee` is "connect", `argument` is its second argument, and the text is "mo".
+/// In `connect("controller.out", "mo`, `callee` is "connect", `argument` is 2, and the quoted text is "mo".
 struct TextAtCursor {
     bool open = false;                     ///< the cursor is in a quoted text
     std::size_t from = 0;                  ///< [bytes] where the text begins, after its quote
     NameAtCursor callee;                   ///< the function that is called; its name is `word`
     std::string word;                      ///< "" for none
-    std::string field;                     ///< of a table, where the text is the field's value: `{ script = "co`
-    int argument = 1;                      ///< which one it is, from 1; 2 behind `robot "mouse"`
+    std::string field;                     ///< the field of a table whose value is the text: `{ script = "co`
+    int argument = 1;                      ///< number of the argument, from 1; 2 for the table after `robot "mouse"`
     std::string first;                     ///< the first argument, if it is a quoted text
     std::vector<std::string> first_chain;  ///< the first argument, if it is a chain of names
 };
@@ -56,7 +56,7 @@ private:
     void find_call(TextAtCursor& result, const SyntaxNode& value) const;
 
     SyntaxTree tree_;
-    const Token* last_ = nullptr;         // null: there is none
+    const Token* last_ = nullptr;         // null: the text has no token
     const Token* part_ = nullptr;         // the word that ends at the cursor
     const Token* separator_ = nullptr;    // the '.' or ':' before it, or at the cursor
     const SyntaxNode* node_ = nullptr;    // the expression that the part belongs to

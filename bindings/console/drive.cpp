@@ -58,8 +58,8 @@ Expected<void> Drive::begin(RunningSystem& live, const std::string& what, const 
     const auto port = live.system().port(path);
     if (!port) return Unexpected(port.error());
     if (!payload((*port)->type(), 0, 0)) {
-        return failure(fmt::format("{} is {}: a stick drives TimedFloatSeq, TimedDoubleSeq and TimedVelocity2D", path,
-                                   (*port)->type_name()));
+        return failure(fmt::format("{} is {}: drive needs a port of TimedFloatSeq, TimedDoubleSeq or TimedVelocity2D",
+                                   path, (*port)->type_name()));
     }
     path_ = path;
     who_ = who;
@@ -126,7 +126,7 @@ void Drive::end(RunningSystem& live) {
 Expected<void> Drive::after_tick(RunningSystem& live) {
     if (path_.empty()) return {};
     if (ending_) {
-        static_cast<void>(live.act(Release{path_}, who_));  // if the port is gone, there is nothing to release
+        static_cast<void>(live.act(Release{path_}, who_));  // fails only if the port is gone: then nothing is held
         path_.clear();
         return {};
     }

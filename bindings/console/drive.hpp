@@ -19,16 +19,16 @@ public:
     static constexpr double springs_back = 0.7;   ///< [s] of simulated time; longer than a keyboard's repeat delay
     static constexpr double speed_of_px = 0.002;  ///< [m/s / px] for a velocity port
     static constexpr double turn_of_px = -0.02;   ///< [rad/s / px]
-    /// Factors for the value at the edge. A pad does not go beyond 1.
+    /// Factors of the value at the edge. The joystick's own pad sends at most 1.
     static constexpr std::array scales{0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0};
 
     /// Starts to hold a port: "name.port", or the in-port `stick` of a joystick, the out-port `pos` of another
     /// component, or the velocity in-port of a robot. The port must carry a sequence of numbers or a velocity.
     Expected<void> begin(RunningSystem& live, const std::string& what, const Actor& who);
     bool is_on() const { return !path_.empty() && !ending_; }
-    /// The "name.port" that it holds.
+    /// The held port as "name.port".
     const std::string& path() const { return path_; }
-    /// The value at full deflection: "0.30 m/s, 3.0 rad/s".
+    /// The value at full deflection, as in "0.30 m/s, 3.0 rad/s".
     std::string full_speed() const;
     void key(Key key, RunningSystem& live);
     /// The stick goes to the middle, and the port is released after the next tick.

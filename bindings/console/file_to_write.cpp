@@ -22,8 +22,8 @@ Expected<std::filesystem::path> file_to_write(const std::filesystem::path& home,
         return failure(fmt::format("'{}' is {}: give another name", path.string(), what));
     const auto& endings = written.endings;
     if (!contains(endings, path.extension().string())) {
-        return failure(fmt::format("{} ends in {}: write {} \"{}\"", written.file, fmt::join(endings, " or "),
-                                   written.word,
+        return failure(fmt::format("the name of {} must end in {}: write {} \"{}\"", written.file,
+                                   fmt::join(endings, " or "), written.word,
                                    std::filesystem::path(name).replace_extension(endings.front()).string()));
     }
     if (auto ok = check_is_within(home, path, path.string(), written.what); !ok) return Unexpected(ok.error());

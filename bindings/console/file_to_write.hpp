@@ -11,7 +11,7 @@
 
 namespace nezumi {
 
-/// The words for messages about a file that a command writes.
+/// Parts of the messages about a file that a command writes.
 struct WrittenFile {
     std::string_view word;                  ///< "save"
     std::string_view file;                  ///< "a system file"

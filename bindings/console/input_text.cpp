@@ -52,7 +52,7 @@ std::string with_keyword_names(std::string_view text) {
 
 namespace {
 
-// Members that are not ports, but can be plotted like ports.
+// Whether values of this member can be plotted, although it is not a port.
 bool is_followed_member(std::string_view member) {
     return member == ".collided" || member == ".config" || member == ".probes" || member == ".state" ||
            member == ".tasks" || member == ".truth";
@@ -115,7 +115,8 @@ Expected<Chunk> compile_input(std::string_view text) {
 }
 
 bool is_complete_input(std::string_view text) {
-    // The end of the line is here, so an open quoted text is a mistake, not an incomplete input.
+    // With an end of line, an open quoted text is an error and not an incomplete input: it can't continue on a new
+    // line.
     const std::string lines = std::string(text) + "\n";
     const std::string expression = "return " + lines;
     const SyntaxTree as_expression(expression, SyntaxTree::Dialect::console);

@@ -21,7 +21,7 @@ bool takes_values(std::string_view command);
 std::string with_plotted_names(std::string_view text);
 
 /// Compiles an input; an expression returns its values. If both fail, the error is the one of the input as statements.
-/// Its location is the line within the input.
+/// The location of the error is the line within the input.
 Expected<Chunk> compile_input(std::string_view text);
 
 /// Whether an input is complete: no block, string, comment or bracket is open at its end.

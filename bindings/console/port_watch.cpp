@@ -13,11 +13,11 @@
 namespace nezumi {
 namespace {
 
-constexpr double highest_watched_speed = 1000;  // "max" has no number
+constexpr double highest_watched_speed = 1000;  // the speed "max" is infinite, so it counts as this factor
 
-// Shows a value with its stamp [s] if it has changed, and if the last one was not shown just now.
+// Shows a value with its stamp [s] if it has changed, and if enough time has passed since the last value was shown.
 void show_value(Session::Parts& parts, PortWatch& watch, double stamp, const auto& text_of) {
-    // A batch leaves nothing out.
+    // A batch shows every change.
     const double speed = std::clamp(parts.clock.speed(), 1.0, highest_watched_speed);
     const double period = parts.options.batch ? 0 : parts.options.watch_period * speed;
     if (watch.shown_at >= 0 && stamp >= watch.shown_at && stamp < watch.shown_at + period) return;
@@ -28,7 +28,7 @@ void show_value(Session::Parts& parts, PortWatch& watch, double stamp, const aut
     watch.shown_at = stamp;
 }
 
-// A port of another host that is not connected here: its host is asked for the value.
+// For a port of another host that has no connection in this system: asks the host for the value.
 bool show_news_of_host(Session::Parts& parts, PortWatch& watch) {
     const System& system = parts.live.system();
     const std::chrono::duration<double> period(parts.options.batch ? 0 : parts.options.watch_period);
@@ -43,7 +43,7 @@ bool show_news_of_host(Session::Parts& parts, PortWatch& watch) {
                               watch.elsewhere);
     if (!answer) return true;
     if (!*answer) {
-        const auto host = find_host(system, host_of(watch.path));  // one that is away may come back
+        const auto host = find_host(system, host_of(watch.path));  // a host that is away may come back
         return system.network() != nullptr && (!host || !host->here || check_offered(system, watch.path));
     }
     const auto& values = (*answer)->values;

@@ -1,4 +1,4 @@
-// Times of behaviours are CPU times of the executing thread, those of native components real times.
+// The times of behaviours are CPU times of the executing thread; the times of native components are real times.
 #include "bindings/console/profile_text.hpp"
 
 #include <fmt/format.h>

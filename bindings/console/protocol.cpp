@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// In the order of the enumerators.
+// The names of requests and events, in the order of the enumerators.
 constexpr std::array<std::string_view, 6> request_names{"hello", "eval", "complete", "is_complete", "interrupt", "key"};
 constexpr std::array<std::string_view, 9> event_names{"answer", "completions", "output", "error", "log",
                                                       "keys",   "status",      "lost",   "bye"};

@@ -55,8 +55,8 @@ Expected<void> bring_up_to_date(ComponentEntry& entry, const Component& componen
     return {};
 }
 
-// The name that a person would write for this file within `named_in`: the shortest name that finds it, or its relative
-// path if both are in the project, or its whole path.
+// The name of `file` as a person would write it in the file `named_in`: the shortest name that finds it, its relative
+// path if both files are in the project, or its whole path.
 std::string name_of(const Project& project, const std::filesystem::path& file, const std::filesystem::path& named_in) {
     const std::filesystem::path working = project.files().working_folder();
     const auto whole = (working / file).lexically_normal();
@@ -79,7 +79,7 @@ std::string counted(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-// The twins of real robots belong to a run, not to its file.
+// Removes the simulated twins of real robots: they belong to the run, not to the system file.
 void leave_out_twins(SystemSpec& spec) {
     std::vector<std::string> twins;
     for (const RobotEntry* robot : entries_of<RobotEntry>(spec)) {
@@ -94,13 +94,13 @@ void leave_out_twins(SystemSpec& spec) {
     }
 }
 
-// Removes the components that are gone from the descriptions of peers.
+// Removes the names of components that no longer exist from the descriptions of peers.
 void leave_out_missing(SystemSpec& spec) {
-    const auto peers = spec.peers;  // each may replace its own
+    const auto peers = spec.peers;  // a copy, because each peer may replace its entry in `spec`
     for (const auto& [name, peer] : peers) peer->word().remove_missing(spec);
 }
 
-// The behaviour with this script; "" if there is none.
+// The name of the behaviour that uses this script; "" if there is none.
 std::string user_of_script(const SystemSpec& spec, const std::filesystem::path& file) {
     for (const BehaviorEntry* behavior : entries_of<BehaviorEntry>(spec)) {
         std::error_code none;
@@ -154,8 +154,8 @@ Expected<std::string> save_system(PresentSystem present, const std::string& file
         spec.file.empty() ? "A system, saved from the console." : fmt::format("{}, saved from the console.", spec.file);
     const std::string text = write_system_text(spec, title);
     if (auto back = read_system_text(text, path.string(), project, {.peer_words = present.peer_words}); !back) {
-        return failure(
-            fmt::format("nothing is saved, since {} could not be read: {}", path.string(), back.error().message));
+        return failure(fmt::format("nothing was saved, because {} could not be read again: {}", path.string(),
+                                   back.error().message));
     }
     std::error_code problem;
     const bool existed = std::filesystem::exists(path, problem);
@@ -163,7 +163,7 @@ Expected<std::string> save_system(PresentSystem present, const std::string& file
     if (auto ok = write_whole(path, text, before); !ok) return failure(describe(ok.error()));
     return fmt::format("saved {}: {}, {}{}", path.string(), counted(spec.entries.size(), "component"),
                        counted(spec.connections.size(), "connection"),
-                       existed ? fmt::format("; what was there is now {}", before) : "");
+                       existed ? fmt::format("; the previous file is now {}", before) : "");
 }
 
 }  // namespace nezumi

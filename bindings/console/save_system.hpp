@@ -9,7 +9,7 @@
 
 namespace nezumi {
 
-/// A copy of the saved data: taken between two ticks, written by another thread.
+/// A copy of the data to save: made between two ticks, and written to the file by another thread.
 struct PresentSystem {
     SystemSpec spec;
     Project project;

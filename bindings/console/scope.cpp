@@ -35,7 +35,7 @@ std::string explain_unknown(Session::Parts& parts, std::string_view name) {
     return fmt::format("unknown name '{}'{}", shown(name), near);
 }
 
-// Upvalues: the parts, the table of commands.
+// The `__index` of the globals. Upvalues: the parts, the table of commands.
 int read_global(lua_State* L) {
     Session::Parts& parts = parts_of(L);
     lua_pushvalue(L, 2);
@@ -66,7 +66,7 @@ int assign_global(lua_State* L) {
     return raise_kept(L);
 }
 
-// Moves all globals into a table, and leaves the table on the stack.
+// Moves all globals into a new table, and leaves this table on the stack.
 void take_globals(lua_State* L) {
     lua_newtable(L);
     const int commands = lua_gettop(L);
@@ -142,7 +142,8 @@ std::vector<std::string> component_names(Session::Parts& parts) {
 
 std::vector<std::string> names_in_scope(Session::Parts& parts) {
     std::vector<std::string> names = component_names(parts);
-    std::erase_if(names, [](const std::string& name) { return is_remote(name); });  // known as texts: "ev3/vehicle.out"
+    std::erase_if(names,
+                  [](const std::string& name) { return is_remote(name); });  // only within texts: "ev3/vehicle.out"
     lua_State* L = parts.state->lua();
     const int top = lua_gettop(L);
     if (lua_checkstack(L, 6) != 0) {

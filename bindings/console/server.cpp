@@ -14,12 +14,12 @@
 namespace nezumi {
 namespace {
 
-// In the order of the enumerators.
+// The names of keys, in the order of the enumerators.
 constexpr std::array<std::string_view, 8> key_names{"up",    "down",   "left",   "right",
                                                     "space", "escape", "faster", "slower"};
 
-// Programs that act for a person, such as a language model. What they hold is released separately from what the user's
-// consoles hold.
+// The actor of programs that act for a person, such as a language model. Their holds are released separately from the
+// holds of the user's consoles.
 constexpr std::string_view agent_word = "agent";
 Actor agent() { return {Actor::Kind::console, std::string(agent_word)}; }
 
@@ -61,7 +61,7 @@ bool ConsoleServer::serve(Clock::time_point until) {
     }
 }
 
-// Returns whether a session still works.
+// Lets the sessions work until about `until`. Returns whether one of them has more to do.
 bool ConsoleServer::serve_sessions(Clock::time_point until) {
     bool works = false;
     // Starts after the session that was served last, so that no session takes all the time.
@@ -154,7 +154,7 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
         }
         case Request::Kind::hello: {
             console.keys = request.keys;
-            // The actor of a session that has acted does not change.
+            // A session keeps its actor, so the actor can be set only before there is a session.
             if (!console.session && (request.who == "spreadsheet" || request.who == agent_word)) {
                 const Actor who = request.who == agent_word ? agent() : Actor{Actor::Kind::spreadsheet};
                 end_holds_of(std::exchange(console.who, who));
@@ -171,9 +171,8 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
     }
 }
 
-// Releases the ports that an actor holds when it has gone. In a simulation, holds of a user remain, for shell scripts
-// that hold with one command and read with the next. If the actor has other connections, its holds end with the last of
-// them.
+// Releases the ports that an actor holds, when its last connection has ended. Only in a simulation, the holds of a
+// user's consoles remain: a shell script may hold a port with one `nezumi attach` and read values with the next.
 void ConsoleServer::end_holds_of(const Actor& who) {
     const bool goes_with_it = who.kind == Actor::Kind::spreadsheet || who == agent() ||
                               (who.kind == Actor::Kind::console && live_.system().settings().real_time);

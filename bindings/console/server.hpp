@@ -47,21 +47,21 @@ public:
     /// The purpose of a client in this process.
     enum class Use {
         prompt,  ///< a person types, while time passes
-        batch,   ///< commands come from a file: no output is dropped, and time passes only by their order
+        batch,   ///< commands come from a file: no output is dropped, and time passes only by commands such as `step`
     };
     /// Returns the client's end of a connection, for a client in this process. `who` is the actor of its acts.
     Expected<Descriptor> connect(Use use, const Actor& who = {Actor::Kind::console});
 
-    /// Handles requests of clients and what their sessions ask of the system. While a session works, waits for it,
-    /// until about `until`. Returns whether more may come.
+    /// Handles requests of clients, and requests of their sessions to the system. While a session works, waits for its
+    /// requests, until about `until`. Returns whether more requests may come.
     bool serve(Clock::time_point until);
     /// Call this after every tick.
     void after_tick();
     /// Whether a command of a `Use::batch` client is running.
     bool is_batch_running() const;
-    /// Whether a `Use::batch` client is slower than the output.
+    /// Whether a `Use::batch` client reads its output too slowly.
     bool is_behind() { return transport_.is_behind(); }
-    /// Readable if there is something for `serve`.
+    /// A file descriptor that is readable if there is something for `serve`.
     int file() const { return transport_.file(); }
 
     /// The log level of a client that has not set one.
@@ -100,7 +100,7 @@ private:
     PeerAsker peers_;
     Bell bell_;  // of all sessions
     std::map<ClientId, Console> consoles_;
-    std::vector<std::unique_ptr<Session>> leaving_;  // closed: their clients are gone
+    std::vector<std::unique_ptr<Session>> leaving_;  // closed sessions; their threads may still run
     ClientId last_served_ = 0;
     Mutex mutex_;                             // of listeners_
     std::map<ClientId, LogLevel> listeners_;  // clients that want the log, with their levels

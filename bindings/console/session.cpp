@@ -15,8 +15,8 @@
 namespace nezumi {
 namespace {
 
-// The longest time that a session waits for an input that can't be stopped immediately: Lua's own code is left after a
-// second.
+// The longest time that a session waits for an interrupted input to end. Lua code ends within a second; a function in
+// C++ may take longer.
 constexpr std::chrono::seconds stuck_after{2};
 constexpr std::chrono::seconds session_farewell{1};
 
@@ -26,7 +26,7 @@ bool is_goodbye(std::string_view text) {
     return text == "quit" || text == "exit";
 }
 
-// Ends what is not to be run.
+// Ends a job that is not run: answers with nothing, or reports that the input failed.
 void drop(const Session::Parts& parts, const Job& job) {
     if (job.answer) return job.answer({});
     if (parts.options.output.done) parts.options.output.done(false);
@@ -143,7 +143,8 @@ bool Session::is_waiting() const {
                            (takes_more && !takes_more()));
 }
 
-// Waits for a behaviour that executes soon, because a caller of --eval leaves after the answer.
+// Whether an explained behaviour executes soon. The input then waits for the explanation, because `--eval` ends at the
+// answer.
 bool Session::explains_soon() const {
     return !parts_->options.batch && !parts_->clock.is_paused() &&
            std::any_of(parts_->explained.begin(), parts_->explained.end(), [&](const Explained& each) {
@@ -188,7 +189,8 @@ void Session::begin_next() {
     });
 }
 
-// Abandons a job that does not end: it waits for a file, or runs code that can't be stopped.
+// Replaces the thread and the Lua state if the interrupted job does not end: it waits for a file, or runs code that
+// can't be stopped.
 void Session::replace_stuck() {
     auto fresh = make_parts(parts_->live, parts_->clock, parts_->options);
     if (fresh) {
@@ -196,7 +198,7 @@ void Session::replace_stuck() {
     }
     parts_->show_error("the interrupted command did not end: definitions made in this console are lost");
     if (!fresh) {
-        parts_->revoked = Worker::Clock::now();  // tries again
+        parts_->revoked = Worker::Clock::now();  // starts the time again, to try again later
         return parts_->show_error(describe(fresh.error()));
     }
     (*fresh)->jobs = std::move(parts_->jobs);
@@ -217,7 +219,7 @@ void Session::serve(Worker::Clock::time_point until) {
     quit_if_asked();
 }
 
-// Sends the answer before the end of the run, unless the rest of the line takes long.
+// Ends the run after `quit()`. First lets the input finish, so that its answer is sent, but for at most `patience`.
 void Session::quit_if_asked() {
     constexpr std::chrono::milliseconds patience{200};
     if (parts_->quits && (!parts_->job || Worker::Clock::now() - *parts_->quits > patience)) parts_->clock.quit();

@@ -31,7 +31,7 @@ enum class TakenKeys { none, escape, all };
 struct SessionOutput {
     /// One or more lines, without the last end of line: results, output of commands and of `print`.
     std::function<void(std::string_view text)> show;
-    /// Whether more output can be taken now. If not, the running input waits, and nothing else. Empty: always.
+    /// Whether the receiver can take more output now. If not, only the running input waits. Empty: always.
     std::function<bool()> takes_more{};
     /// Shows a drawing that replaces the drawing before it. Empty: uses `show`.
     std::function<void(std::string_view text)> show_in_place{};
@@ -46,7 +46,7 @@ struct SessionOutput {
     std::function<bool(LogLevel level)> log_level{};
 };
 
-/// What `picture`, `graph` and `save "x.xml"` draw.
+/// The kinds of drawings: of `picture`, `graph` and `save "x.xml"`.
 enum class Drawn : unsigned char {
     world,    ///< from above
     wiring,   ///< components, ports and connections

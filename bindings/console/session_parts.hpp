@@ -25,9 +25,9 @@
 
 namespace nezumi {
 
-/// A question to another host that may be open.
+/// A question to another host, and whether it is open.
 struct HostQuestion {
-    std::optional<std::uint64_t> number{};
+    std::optional<std::uint64_t> number{};  ///< of the open question; nothing: none is open
     Worker::Clock::time_point asked{};
 };
 
@@ -39,20 +39,20 @@ struct PortWatch {
     std::string path;          ///< "name.port", or "host/name.port"
     std::string shown{};       ///< its value as it was shown last
     double shown_at = -1;      ///< [s] simulated; -1: not yet
-    HostQuestion elsewhere{};  ///< to its host, where it is not connected here
+    HostQuestion elsewhere{};  ///< to the host of the port, if the port has no connection in this system
 };
 
 /// An execution that is explained.
 struct Explained {
     std::string component;
     std::int64_t trace = 0;  ///< `RunningSystem::explain_next`
-    int start = 0;           ///< of the system
+    int start = 0;           ///< `generation` of the system
 };
 
 /// A breakpoint, of `break_at`.
 struct LineBreak {
     LineTrace::Watched place;
-    std::unique_ptr<BreakCondition> condition{};  ///< null: it always holds
+    std::unique_ptr<BreakCondition> condition{};  ///< null: no condition
     double shown_at = -1e9;                       ///< [s] simulated
 };
 
@@ -73,9 +73,9 @@ struct ConsoleProfile {
 /// The arguments of `plot`.
 struct PlotRequest {
     std::vector<std::string> names{};  ///< of channels: "controller.out.vx"
-    double seconds = 0;                ///< that are drawn
-    double every = 0;                  ///< [s] of simulated time: it is drawn again; 0: once
-    double next = 0;                   ///< [s] when
+    double seconds = 0;                ///< of simulated time that are drawn
+    double every = 0;                  ///< [s] of simulated time between two drawings; 0: drawn once
+    double next = 0;                   ///< [s] simulated: time of the next drawing
     /// The answers of other hosts about names that only they know.
     struct Elsewhere {
         HostQuestion open{};
@@ -93,14 +93,17 @@ struct PlotCurves {
     std::vector<std::string> silent{};  ///< names without a value in this time
 };
 
-/// Reads the curves of a plot, between two ticks, from the trace of the present up to now, or from that of `past` up to
-/// its moment. Channels that were not remembered before are remembered from now on. Other hosts have already answered.
+/// Reads the curves of a plot between two ticks: from the present trace up to now, or from the trace of `past` up to
+/// its moment. Channels that were not remembered before are remembered from now on. Other hosts must have answered
+/// before.
 Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot, PastValues* past = nullptr);
 std::string to_text(PlotCurves looked);
 
-// Call these after each tick; both return false when it is over, after reporting this. Shows changes of a watched port.
+// Call the following functions after each tick.
+
+/// Shows the new value of a watched port; false if the port is gone.
 bool show_news(Session::Parts& parts, PortWatch& watch);
-/// Draws a repeated plot again when it is due.
+/// Draws a repeated plot again when it is due; false after an error, which is shown.
 bool draw_again(Session::Parts& parts, PlotRequest& plot);
 /// Shows a value that has changed; false if its component is gone.
 bool show_change(Session::Parts& parts, ChangeWatch& watch);
@@ -108,14 +111,14 @@ bool show_change(Session::Parts& parts, ChangeWatch& watch);
 void stop_at_breaks(Session::Parts& parts);
 /// Shows the costs if the measurement is over.
 void show_profile(Session::Parts& parts);
-/// Has the behaviours of the present system note the lines of breakpoints, and measure executions, or no longer.
+/// Starts or stops, for all behaviours of the present system, the watching of breakpoint lines and the measurement.
 void watch_lines(Session::Parts& parts);
 
 /// An input, or a request for completions at the cursor.
 struct Job {
     std::string text;
     std::size_t cursor = 0;
-    std::function<void(Completion)> answer{};  ///< of a request for completions; empty: an input
+    std::function<void(Completion)> answer{};  ///< gets the completions; empty: the job is an input
 };
 
 struct Session::Parts {
@@ -146,18 +149,18 @@ struct Session::Parts {
     SessionOptions options;
     const bool is_hardware;
     std::optional<Bell> own_bell;                      ///< if no other thread waits for the worker
-    std::deque<Job> jobs;                              ///< that wait
-    std::optional<Job> job;                            ///< that runs
+    std::deque<Job> jobs;                              ///< waiting jobs
+    std::optional<Job> job;                            ///< the running job
     bool waiting = false;                              ///< for the ticks of `advance` of the clock
     std::uint64_t moves = 0;                           ///< counter of the clock at this `advance`
     std::optional<Worker::Clock::time_point> revoked;  ///< when the worker's job was stopped; it may still run
-    std::optional<Worker::Clock::time_point> quits;    ///< time when a line asked for the end of the run
+    std::optional<Worker::Clock::time_point> quits;    ///< time when an input called `quit()`
     std::vector<PortWatch> watches;
     std::vector<Explained> explained;
     bool awaits_explanation = false;  // the job has run, and ends when its explanation is shown
-    std::vector<PlotRequest> plots;   ///< that are drawn again and again
+    std::vector<PlotRequest> plots;   ///< plots that are drawn again and again
     std::vector<LineBreak> breaks;
-    std::map<std::string, std::int64_t> break_traces;  ///< the last execution of each behaviour that was looked at
+    std::map<std::string, std::int64_t> break_traces;  ///< for each behaviour the last execution that was examined
     int breaks_of = 0;                                 ///< `generation` of the system that notes the lines
     std::vector<ChangeWatch> changes;
     std::unique_ptr<ConsoleProfile> profile;
@@ -188,7 +191,7 @@ struct Session::Parts {
     double number = 0;       ///< the result of a command
     Value value;             ///< the result of a command that returns a table
     std::int64_t ticks = 0;  ///< that a command waits for
-    /// What a paused input waits for: nothing while it is not over.
+    /// The wait of a paused input: returns nothing while the wait lasts, then its result.
     std::function<std::optional<Expected<void>>()> waits;
     std::optional<int> paused_at;  ///< the level of the stack below the coroutine of a paused input
     std::unique_ptr<Objects> objects;
@@ -201,8 +204,8 @@ inline Session::Parts& parts_of(lua_State* L) {
     return *static_cast<Session::Parts*>(lua_touserdata(L, lua_upvalueindex(1)));
 }
 
-/// Puts the library, the console's commands and the system's names into scope. Names of the system are looked up at
-/// each use.
+/// Makes the library, the console's commands and the system's names available to inputs. Names of the system are looked
+/// up at each use.
 Expected<void> open_scope(Session::Parts& parts);
 
 /// Pushes the table with everything that `open_scope` added. Needs one place on the stack.
@@ -220,7 +223,7 @@ Completion complete(Session::Parts& parts, std::string_view text, std::size_t cu
 /// has shown that.
 Expected<bool> compute_past(Session::Parts& parts, PastRun& run, std::string_view what = "going back");
 
-/// Sends keys to a seek, so that Esc cancels it, or stops doing this. Does nothing without keys.
+/// `to_seek`: from now on keys go to a seek, so that Esc cancels it; false: no longer. Does nothing without keys.
 void give_keys(Session::Parts& parts, bool to_seek);
 
 }  // namespace nezumi

@@ -1,4 +1,5 @@
-// An input in Lua, in one call; or, where the worker has no thread, in slices between which it waits for ticks.
+// Runs an input in Lua: in one call, or, if the worker has no thread, in slices between which the input waits for
+// ticks.
 #include <fmt/format.h>
 
 #include <utility>
@@ -56,7 +57,7 @@ bool take_results(Session::Parts& parts, lua_State* L, int base) {
     return true;
 }
 
-// The results of a coroutine would be dropped.
+// Stores the results of the input in the registry, because the results of a coroutine would be lost.
 int keep_results(lua_State* L, int /*status*/, lua_KContext /*context*/) {
     const int count = lua_gettop(L);
     luaL_checkstack(L, 2, nullptr);
@@ -67,14 +68,14 @@ int keep_results(lua_State* L, int /*status*/, lua_KContext /*context*/) {
     return 0;
 }
 
-// The function of the coroutine: calls what is its upvalue.
+// The function of the coroutine: calls the compiled input, which is its upvalue.
 int call_input(lua_State* L) {
     lua_pushvalue(L, lua_upvalueindex(1));
     lua_callk(L, 0, LUA_MULTRET, 0, keep_results);
     return keep_results(L, LUA_OK, 0);
 }
 
-// Takes a function, and gives the coroutine that calls it.
+// Takes the compiled input from the stack, and returns a coroutine that calls it.
 int make_coroutine(lua_State* L) {
     lua_State* const coroutine = lua_newthread(L);
     lua_insert(L, 1);

@@ -1,5 +1,5 @@
-// Opens sockets through the descriptor of their folder: so the checked folder is the one that is used, and its path may
-// be long.
+// Opens sockets through the descriptor of their folder. So no other folder can replace the checked one, and the path of
+// the folder may be long.
 #include "bindings/console/socket_directory.hpp"
 
 #include <dirent.h>
@@ -28,7 +28,7 @@ constexpr std::string_view suffix = ".sock";
 
 std::string why() { return std::strerror(errno); }
 
-// Opens the folder if it is a folder of this user that is closed to all others.
+// Opens the folder. Refuses a folder of another user, or one that others can enter.
 Expected<Descriptor> open_folder(const std::filesystem::path& path) {
     Descriptor folder(::open(path.c_str(), O_DIRECTORY | O_NOFOLLOW | O_RDONLY | O_CLOEXEC));
     struct stat status {};
@@ -52,11 +52,11 @@ std::string plain_name(std::string_view name) {
     if (plain.empty()) plain = "system";
     if (plain.size() <= longest) return plain;
     std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(plain[end]) & 0xc0) == 0x80) --end;  // within a character
+    while (end > 0 && (static_cast<unsigned char>(plain[end]) & 0xc0) == 0x80) --end;  // not within a character
     return plain.substr(0, end);
 }
 
-// The name of a system for what a person gave: its name or its file.
+// The name of a system from the text that a person typed: this name, or the name of the file.
 std::string name_meant(std::string_view which) {
     const std::filesystem::path path(which);
     return path.extension() == ".lua" ? path.stem().string() : std::string(which);
@@ -79,7 +79,7 @@ Descriptor connect_in(const Descriptor& folder, std::string_view name, bool wait
     const auto let_sends_wait = [&](const timeval& time) {
         return setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &time, sizeof time) == 0;
     };
-    // Its path may be longer than the address of a socket allows, so the socket is opened to get a short path.
+    // The path of the socket may be too long for a socket address. Opening the socket gives a short path to it.
     const Descriptor file(openat(folder.get(), std::string(name).c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
     if (!file) return Descriptor();
     sockaddr_un address{};
@@ -126,7 +126,8 @@ Expected<Listener> Listener::open(std::string_view name, const std::filesystem::
 
     const std::string process = std::to_string(getpid());
     const std::string file = plain_name(name) + "-" + process + std::string(suffix);
-    // It gets its name only when it listens; otherwise other processes would take it for a dead socket.
+    // The socket gets its final name only when it listens: other processes remove sockets of this name that don't
+    // listen.
     const std::string unready = "." + process;
 
     Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
@@ -148,7 +149,7 @@ Expected<std::vector<ListeningSystem>> running_systems(const std::filesystem::pa
     if (struct stat status{}; lstat(path.c_str(), &status) != 0 && errno == ENOENT) return systems;
     const auto folder = open_folder(path);
     if (!folder) return Unexpected(folder.error());
-    // The list owns the descriptor that it reads.
+    // fdopendir takes ownership of its descriptor, so it gets a duplicate.
     const std::unique_ptr<DIR, int (*)(DIR*)> list(fdopendir(dup(folder->get())), closedir);
     if (list == nullptr) return failure("can't read the console's folder " + path.string() + ": " + why());
     while (const dirent* entry = readdir(list.get())) {

@@ -20,19 +20,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Time for clients to take the rest when the run ends.
+// At the end of the run, clients have this time to receive the remaining events.
 constexpr std::chrono::milliseconds transport_farewell{300};
 // The pause after an accept failed because the process had no free descriptor.
 constexpr int no_descriptor_pause = 200;  // ms
-// A client with more waiting bytes than this makes senders wait that can wait.
+// If more bytes than this wait for a client, `takes_more` is false, so senders that can wait do so.
 constexpr std::size_t high_water = Transport::max_backlog / 2;
 // Lines are written in pieces of about this size.
 constexpr std::size_t portion = std::size_t{1} << 16;
 
 void signal(const Descriptor& event) {
     const std::uint64_t one = 1;
-    // A full counter is readable anyway. After other errors it tries only a few times, because the caller must not
-    // wait.
+    // EAGAIN: the counter is full, so the file is readable anyway. After other errors tries only 3 times, because the
+    // caller must not wait.
     for (int tries = 0; tries < 3 && ::write(event.get(), &one, sizeof one) < 0 && errno != EAGAIN; ++tries) {
     }
 }
@@ -164,7 +164,7 @@ void Transport::put(Client& client, Event event) {
         ++client.lost;
         return;
     }
-    // Reported before an answer in any case, because a client may leave after an answer.
+    // Before an answer, lost events are always reported, because a client may leave after the answer.
     if (client.lost > 0 && (!full || event.kind == Event::Kind::answer))
         client.events.push_back({.kind = Event::Kind::lost, .text = {}, .count = std::exchange(client.lost, 0)});
     client.backlog += size_of(event);
@@ -227,7 +227,8 @@ bool Transport::accept_all(int listener) {
     }
 }
 
-// Disconnects a client for a new one. Returns false if there is none.
+// Makes room for a new client: if there are too many, disconnects the oldest that has sent no request. Returns false if
+// all have sent one.
 bool Transport::make_room() {
     ClientId silent = 0;
     {

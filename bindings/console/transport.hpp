@@ -43,9 +43,9 @@ public:
     /// [bytes] that may wait for a client.
     static constexpr std::size_t max_backlog = std::size_t{1} << 20;
     static constexpr std::size_t max_lossless = std::size_t{64} << 20;
-    /// Unfinished requests of a client. No more are read until some are finished.
+    /// The most unfinished requests of a client. No more are read until some are finished.
     static constexpr std::size_t max_requests = 64;
-    /// With one more client, the oldest that has sent no request is disconnected.
+    /// The most clients. With one more, the oldest client that has sent no request is disconnected.
     static constexpr std::size_t max_clients = 32;
 
     /// Starts the thread that waits for the sockets; `ready` says whether this succeeded.
@@ -55,8 +55,8 @@ public:
     Transport(const Transport&) = delete;
     Transport& operator=(const Transport&) = delete;
 
-    /// The error if no client can connect because the process has no descriptor left. Then call only `file` and
-    /// functions that do nothing without clients.
+    /// Returns an error if no client can connect because the process has no descriptor left. After an error, call only
+    /// `file` and functions that do nothing without clients.
     Expected<void> ready() const;
 
     /// Accepts clients of `user` from `listener`. Call it once.
@@ -64,14 +64,14 @@ public:
     /// Adds a client that is already connected.
     ClientId add(Descriptor socket, Flow flow);
 
-    /// Readable while something waits for `take`.
+    /// A file descriptor that is readable while something waits for `take`.
     int file() const { return news_.get(); }
     /// The messages since the last call; never waits.
     std::vector<Incoming> take();
     /// A request is finished: its client may send another one.
     void finish_request(ClientId client);
-    /// Whether a large output could be sent now without dropping events. If not, `file` becomes readable as soon as it
-    /// can. True for a client that is gone.
+    /// Whether a large output could be sent now without dropping events. If not, `file` becomes readable as soon as
+    /// this is possible. True for a client that is gone.
     bool takes_more(ClientId client);
     /// Whether a lossless client is slow: then a run that does not follow real time should wait.
     bool is_behind();
@@ -82,17 +82,17 @@ private:
     struct Client {
         Descriptor socket;
         Flow flow = Flow::lossy;
-        std::deque<Event> events;  // that wait
-        std::size_t backlog = 0;   // [bytes] of them, about
+        std::deque<Event> events;  // waiting events
+        std::size_t backlog = 0;   // [bytes] of the waiting events, about
         std::size_t lost = 0;
         bool awaited = false;      // the caller wants to know when it takes more
-        bool has_spoken = false;   // it has sent a request, or was added by this process
-        std::size_t requests = 0;  // that are not finished
+        bool has_spoken = false;   // the client has sent a request, or was added by this process
+        std::size_t requests = 0;  // number of unfinished requests
         // For the thread only:
         LineReader reader{};
         std::string writing{};    // lines that the socket has taken only in part
-        std::size_t written = 0;  // bytes of them that were sent
-        bool finished = false;    // it sends nothing more
+        std::size_t written = 0;  // bytes of `writing` that were sent
+        bool finished = false;    // the client sends nothing more
         bool gone = false;
     };
 
@@ -108,7 +108,7 @@ private:
 
     Descriptor news_;  // eventfd: there is something for `take`
     Descriptor wake_;  // eventfd: there is something for the thread
-    int problem_ = 0;  // errno of the failed start: then there is no thread
+    int problem_ = 0;  // errno of the failed start; not 0: there is no thread
 
     Mutex mutex_;  // of all members below, and of the first part of each client
     std::optional<Listener> listener_;

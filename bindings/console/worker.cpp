@@ -24,7 +24,7 @@ Bell::Bell() : file_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
 void Bell::ring() const {
     const std::uint64_t one = 1;
-    // It fails only if the counter is full; then the file is readable anyway.
+    // The write fails only if the counter is full; then the file is readable anyway.
     [[maybe_unused]] const ssize_t written = ::write(file_.get(), &one, sizeof one);
 }
 
@@ -34,7 +34,7 @@ void Bell::clear() const {
 }
 
 bool Bell::wait(Clock::time_point until, int also) const {
-    constexpr std::chrono::milliseconds without_file{1};  // used if there are no file descriptors
+    constexpr std::chrono::milliseconds without_file{1};  // polling period if no descriptor was left for the bell
     auto left = std::max(until - Clock::now(), Clock::duration{0});
     if (!file_) left = std::min<Clock::duration>(left, without_file);
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
@@ -122,7 +122,7 @@ void Worker::serve(Clock::time_point until, const std::function<bool()>& takes_m
         }
         if (serve_post(lock)) continue;
         if (asked_ == nullptr) return;
-        const Work& work = *asked_;  // stays valid while its job waits, which only this thread can end
+        const Work& work = *asked_;  // valid until this function ends the wait of its job
         lock.unlock();
         const std::int64_t began = thread_time();
         const bool done = work();
@@ -181,7 +181,7 @@ void Worker::post(std::size_t bytes, std::function<void()> work) {
     Lock lock(mutex_);
     const auto may_post = [this] { return revoked_ || posted_ < most_posted; };
     if (!may_post()) {
-        pause.emplace();  // time that waits for a reader does not count
+        pause.emplace();  // the time until a slow reader has read does not count as time of the job
         wake_.wait(lock, may_post);
     }
     if (revoked_) return;

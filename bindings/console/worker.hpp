@@ -15,7 +15,7 @@
 
 namespace nezumi {
 
-/// Workers ring it when they need the ticking thread, which waits for it while it has nothing to do.
+/// Wakes the ticking thread: workers ring the bell when they need that thread, which waits for the bell while idle.
 class Bell {
 public:
     using Clock = std::chrono::steady_clock;
@@ -37,7 +37,7 @@ private:
 class Worker {
 public:
     using Clock = std::chrono::steady_clock;
-    /// A function that runs between two ticks for a job. Returns false to be called again at the next occasion.
+    /// A function that the ticking thread runs for a job between two ticks. False: call it again at the next occasion.
     using Work = std::function<bool()>;
 
     /// [bytes] of posts that may wait; beyond this the job waits.
@@ -57,16 +57,16 @@ public:
 
     /// Starts a job. Only while idle, and before `close`.
     void start(std::function<void()> job);
-    /// No job runs.
+    /// Whether no job runs.
     bool is_idle() const;
     /// Does what the job has asked for, in order, until about `until`. If `takes_more` is given and returns false,
     /// stops there; the job waits.
     void serve(Clock::time_point until, const std::function<bool()>& takes_more = {});
-    /// For what `serve` does: its `until`.
+    /// The `until` of the running `serve`, for the work that it runs.
     Clock::time_point until() const { return until_; }
-    /// Runs only the posted jobs.
+    /// Runs only posted work.
     void serve_posts();
-    /// Stops the job soon: nothing more of it is done, and its calls into Lua end as if their time had run out.
+    /// Stops the job soon: work that it asks for is no longer done, and its calls into Lua end as at a time limit.
     void revoke();
     /// Stops the job soon and ends the thread, with `last` as its last work.
     void close(std::function<void()> last);
@@ -77,7 +77,7 @@ public:
 
     // For a job:
 
-    /// This is the next job, at the next occasion. Only without threads, and last in a job.
+    /// Sets the next job, which starts at the next occasion. Call it only without threads, as the last call of a job.
     void start_again(std::function<void()> job);
     /// Whether this is the thread of the worker.
     bool is_here() const { return std::this_thread::get_id() == thread_.get_id(); }
@@ -106,7 +106,7 @@ private:
     std::deque<Post> posts_;
     std::size_t posted_ = 0;       // [bytes] in posts_
     const Work* asked_ = nullptr;  // done after all posts; its job waits
-    std::int64_t spent_ = 0;       // [ns] for what was asked
+    std::int64_t spent_ = 0;       // [ns] that the asked work has taken
     bool running_ = false;
     bool revoked_ = false;
     bool closed_ = false;

@@ -1,4 +1,4 @@
-// Compares definitions field by field, in the order of this host's.
+// Compares two definitions field by field, in the order of the fields on this host.
 #include "bindings/dds/announced_types.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ std::string name_of(const AnnouncedField& field) {
     return field.path.empty() ? "its value" : fmt::format("field '{}'", shown(field.path));
 }
 
-// A field that the fields of another host lack.
+// Names the first of `fields` that `others` lack; "" if there is none. `port`: the port that has the field.
 std::string explain_missing(const std::vector<AnnouncedField>& fields, const std::vector<AnnouncedField>& others,
                             const std::string& port) {
     for (const AnnouncedField& field : fields) {

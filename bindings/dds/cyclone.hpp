@@ -14,16 +14,17 @@ namespace nezumi::dds {
 struct DomainOptions {
     std::uint32_t domain = 0;
     std::string xml;        ///< Cyclone's configuration, as `domain_xml` writes it
-    bool loopback = false;  ///< that of the loopback: ignores what other computers send
+    bool loopback = false;  ///< uses the loopback interface: messages of other computers are ignored
 };
 
 /// Joins a domain. One participant per domain and process.
 Expected<std::unique_ptr<DdsTransport>> open_cyclone(const DomainOptions& options);
 
-// The interface between the program and its module. Both are built together.
+// The interface between the program and its module, which are always built together.
 inline constexpr const char* dds_module = "nezumi_cyclone.so";
 inline constexpr const char* open_in_module = "nezumi_open_cyclone";
-/// The module's only function. Returns a new participant, or nullptr with the `problem`. Never throws.
+/// The only function that the module exports. Returns a new participant, or sets `problem` and returns nullptr. Never
+/// throws.
 using OpenInModule = DdsTransport*(const DomainOptions& options, std::string& problem);
 
 }  // namespace nezumi::dds

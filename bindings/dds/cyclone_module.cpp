@@ -165,14 +165,14 @@ public:
     }
 
 private:
-    // Members are destroyed in reverse order: data used by callbacks must outlive the reader.
+    // Members are destroyed in reverse order: the reader first, because its callbacks use the data above.
     std::unique_ptr<Admits> admits_;
     std::optional<Alarm> alarm_;
     Entity topic_;
     Entity reader_;
 };
 
-// Catches Cyclone's messages, which would go to standard error. The last line explains the next failure.
+// Catches Cyclone's log messages, which otherwise go to standard error. The last one explains the next failure.
 class LastWords {
 public:
     LastWords() { dds_set_log_sink(&take, this); }
@@ -267,7 +267,7 @@ private:
         Entity made(
             dds_create_topic_sertype(participant_->get(), topic.name.c_str(), &given, nullptr, nullptr, nullptr));
         if (!made.ok()) {
-            problem_ = explain("there is no topic " + topic.name, made.get());
+            problem_ = explain("can't make the topic " + topic.name, made.get());
             ddsi_sertype_unref(given);
         }
         return made;

@@ -13,7 +13,7 @@
 namespace nezumi::dds {
 namespace {
 
-// Whether a text has the form of an address or a host name, perhaps with a port.
+// True if a text has the form of an address or a host name, with or without a port.
 bool could_be_address(const std::string& text) {
     const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || std::strchr(".-_:[]%", c) != nullptr; };
     if (text.empty() || !std::all_of(text.begin(), text.end(), fits)) return false;

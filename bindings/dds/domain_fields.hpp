@@ -1,4 +1,4 @@
-// Fields of the words `network` and `ros` that say where in a DDS domain a system is.
+// Common fields of `network` and `ros` in system files: the DDS domain, and the addresses of other hosts.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace nezumi::dds {
 
-/// The last domain that has ports (RTPS 2.5, 9.6.2.3).
+/// The largest domain number whose UDP ports exist (RTPS 2.5, 9.6.2.3).
 inline constexpr std::int64_t last_domain = 232;
 
 /// Checks that the field `peers` has addresses or names of hosts. Does not check whether such hosts exist.

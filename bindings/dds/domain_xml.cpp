@@ -22,7 +22,7 @@ std::string peer(const std::string& address) { return fmt::format("<Peer address
 std::string domain_xml(const std::string& interface, const std::vector<std::string>& peers) {
     // A killed host is noticed after this time; hosts announce themselves four times as often.
     constexpr const char* lease = "5s";
-    // Number of processes of one host that can be found at an address without multicast.
+    // The largest number of processes at one address that can be found without multicast.
     constexpr int processes = 32;
     std::string known;
     for (const std::string& address : peers) known += peer(address);

@@ -16,12 +16,13 @@
 namespace nezumi::dds {
 namespace {
 
-// Limits of the work for other hosts between two ticks, which must make no tick late.
+// Limits of the work for other hosts between two ticks, so that no tick is late.
 constexpr std::size_t most_request_bytes = std::size_t{1} << 20;
 constexpr std::size_t most_at_once = 16;
 // Kept answers of each run: a host repeats a request before it has sent this many others.
 constexpr std::size_t most_kept = 64;
-// Runs of hosts that have gone, and writers: beyond these the oldest of no use are given up.
+// The largest numbers of other hosts' runs and of writers. Above them, the oldest that are no longer needed are
+// removed.
 constexpr std::size_t most_askers = 1024, most_writers = 64;
 
 Octets reply_to(const RemoteRequest& request, const Expected<PlainData>& answer) {
@@ -50,7 +51,7 @@ Expected<std::uint64_t> HostRequests::ask(const Question& question, const HostTa
     const Announcement* host = hosts.find(question.host);
     if (host == nullptr) {
         const auto name_of = [](const Announcement* host) -> std::string_view { return host->head.host; };
-        return failure(fmt::format("no host '{}' is known{}", shown(question.host),
+        return failure(fmt::format("there is no host '{}'{}", shown(question.host),
                                    did_you_mean(question.host, hosts.all(), name_of)));
     }
     RemoteRequest request{.from = run_,
@@ -148,7 +149,7 @@ void HostRequests::take_requests(const HostTable& hosts, const Answer& answer) {
         Writer* writer = writer_for(reply_topic(from->second));
         auto known = replies.find(request.number);
         if (known == replies.end()) {
-            if (++done > most_at_once) continue;  // it comes again
+            if (++done > most_at_once) continue;  // the other host repeats the request
             const auto answered = [&]() -> Expected<PlainData> {
                 if (!is_sound(request.values)) return failure("malformed plain data");
                 return answer({.host = host_,

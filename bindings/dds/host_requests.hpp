@@ -24,7 +24,7 @@ public:
     static constexpr double patience = 2;      ///< [s] to wait for an answer
     static constexpr double repetition = 0.2;  ///< [s] between repetitions of a request
 
-    /// `host`, `run`: of this host. The transport must outlive it.
+    /// `host`, `run`: of this host. The transport must outlive this object.
     HostRequests(DdsTransport& transport, std::string host, std::uint64_t run)
         : transport_(transport), host_(std::move(host)), run_(run) {}
 
@@ -35,7 +35,7 @@ public:
     std::optional<Expected<PlainData>> answer(std::uint64_t number, double now);
 
     using Answer = std::function<Expected<PlainData>(const Question& question, const Actor& who)>;
-    /// Has requests of others answered, takes answers, and repeats open requests.
+    /// Answers requests of other hosts with `answer`, receives replies, and repeats requests that have no reply yet.
     void serve(const HostTable& hosts, const Answer& answer, double now);
 
 private:
@@ -50,8 +50,9 @@ private:
     struct Asker {
         std::map<std::uint64_t, Octets> replies;  // by request
         std::uint64_t newest = 0;                 // of the executed requests
-        std::uint64_t over =
-            0;  // requests up to this one came before the host was away; a repetition of one is a replayed message
+        // Requests up to this number came before the host was last absent. If one arrives again, it is a replayed
+        // message.
+        std::uint64_t over = 0;
     };
 
     void take_requests(const HostTable& hosts, const Answer& answer);

@@ -75,7 +75,7 @@ std::string shown_version(const AnnouncementHead& head) {
 }  // namespace
 
 Topic announcement_topic() {
-    // A reader keeps the last messages of this number of hosts.
+    // The depth allows one waiting announcement per host.
     return {.name = "nezumi/hosts",
             .type = "nezumi::Announcement",
             .reliable = true,
@@ -90,7 +90,7 @@ std::vector<std::uint8_t> write_announcement(const Announcement& announcement) {
 }
 
 bool HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, double now) {
-    // Only the head: the rest may belong to another protocol version.
+    // Reads only the head at first, because the rest may belong to another protocol version.
     AnnouncementHead head{};
     detail::CdrReader reader(cdr, on_the_wire);
     reader.read(head);
@@ -99,7 +99,7 @@ bool HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, d
     const bool understood = cdr.size() <= most_announcement_bytes && head.protocol == protocol &&
                             read_cdr(cdr, on_the_wire, whole).has_value() && is_bounded(whole);
     if (understood && (whole.run == own_run_ || ended_.contains(whole.run)))
-        return false;  // its own message, or a stored older one
+        return false;  // this host's own message, or an older one that was stored and replayed
     const auto before = said_.find(writer);
     const bool is_new = before == said_.end();
     if (is_new && said_.size() >= most_hosts) return false;
@@ -134,13 +134,13 @@ bool HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, d
     return true;
 }
 
-// This is the host's present run; the previous one is over.
+// Notes that `run` is the present run of the host; the previous one is over.
 void HostTable::follow(const std::string& host, std::uint64_t run) {
     ended_.erase(run);
     std::uint64_t& present = runs_[host];
     if (present != 0 && present != run) ended_.insert(present);
     present = run;
-    // A very large number of runs can only be invented.
+    // So many runs can't be real: a faulty or hostile host has invented them.
     if (ended_.size() > most_ended) ended_.clear();
     if (runs_.size() > most_ended) runs_.clear();
 }

@@ -26,28 +26,28 @@ public:
     HostTable(AnnouncementHead own, std::uint64_t own_run, bool answered = false)
         : own_(std::move(own)), own_run_(own_run), answered_(answered) {}
 
-    /// Takes an announcement of a writer. `now` [s] by a monotonic clock. Returns false if it is rejected; then the
-    /// writer's earlier one stays valid.
+    /// Takes an announcement of a writer. `now` [s] by a monotonic clock. Returns false if the announcement is
+    /// rejected; then the writer's earlier one stays valid.
     bool heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, double now);
     /// Keeps only these writers; the announcements of others are removed.
     void keep(std::span<const std::uint64_t> writers, double now);
 
-    /// Returns nullptr if the host is missing. Of two hosts with this name the latest is used: usually the
-    /// other one was killed, which was not yet noticed.
+    /// Returns nullptr if the host is missing. If two hosts have this name, returns the newer one: usually the older
+    /// one was killed, and this is not yet noticed.
     const Announcement* find(std::string_view host) const;
     /// The port named "name.port", or nullptr. `host` as returned by this class: its ports are sorted.
     static const AnnouncedPort* find_port(const Announcement& host, std::string_view name);
     /// The present hosts, by name.
     std::vector<const Announcement*> all() const;
 
-    /// The runs of the hosts that were heard, sorted: part of this host's announcement.
+    /// The runs of the hosts whose announcements were received, sorted: part of this host's announcement.
     std::vector<std::uint64_t> heard_runs() const;
 
     struct News {
         LogLevel level;
         std::string text;
     };
-    /// Returns the messages for people since the last call.
+    /// Returns the log messages since the last call.
     std::vector<News> take_news() { return std::exchange(news_, {}); }
 
 private:

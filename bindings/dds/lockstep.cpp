@@ -50,7 +50,7 @@ void Lockstep::meet(const HostTable& hosts, const std::vector<Ends>& connections
     if (left_) return;
     absent_.clear();
     met_ = connected;
-    // A host that is gone and was never heard could not announce its end.
+    // A partner that disappears before its first step can't announce its end, so it is removed.
     std::erase_if(partners_,
                   [&](const auto& each) { return !each.second.their_began && hosts.find(each.first) == nullptr; });
     const std::set<std::string> names = named(connections);
@@ -78,10 +78,10 @@ void Lockstep::meet(const HostTable& hosts, const std::vector<Ends>& connections
 // Makes a related host a partner, or reports why not.
 void Lockstep::consider(const Announcement& host, bool is_named) {
     const std::string& name = host.head.host;
-    if (over_.contains(host.run)) return;  // a killed host stays visible for some seconds
+    if (over_.contains(host.run)) return;  // that run is over, but a killed host stays visible for some seconds
     if (const auto known = partners_.find(name); known != partners_.end()) {
         if (known->second.run == host.run) return;
-        over_.insert(known->second.run);  // it was killed and started again
+        over_.insert(known->second.run);  // the host was killed and started again
         partners_.erase(known);
     }
     const double rate = system_.settings().rate;
@@ -157,7 +157,7 @@ void Lockstep::hear(Partner& partner) {
 
 void Lockstep::take(Partner& partner, Step step) {
     if (partner.their_began && step.began < *partner.their_began) return;  // of an earlier partnership
-    if (partner.their_began && step.began > *partner.their_began) {        // it has joined again
+    if (partner.their_began && step.began > *partner.their_began) {        // the partner has joined again
         if (partner.in_use) partner.began = tick() + 1;
         partner.in_use = false;
         partner.heard.clear();
@@ -229,7 +229,7 @@ void Lockstep::deliver(const MessageDoor& give) {
     }
 }
 
-// Delivered like a message on a port's topic: as an act of that host.
+// Delivers a message like one from a port's topic: as an act of `host`.
 void Lockstep::deliver(const std::string& host, const StepMessage& message, const MessageDoor& give) {
     const std::string path = fmt::format("{}/{}", host, message.port);
     const auto port = std::as_const(system_).port(path);
@@ -315,7 +315,7 @@ void Lockstep::leave() {
         if (partner.said.empty())
             partner.said.push_back(
                 {.run = settings_.run, .to = partner.run, .began = partner.began, .tick = partner.began});
-        say(partner, partner.said.front(), Step::goes_on);  // this step may also be missing
+        say(partner, partner.said.front(), Step::goes_on);  // the partner may have missed this step too
         say(partner, partner.said.back(), Step::ends);
     }
 }

@@ -31,13 +31,13 @@ namespace nezumi::dds {
 class Lockstep {
 public:
     static constexpr double patience = 1;      ///< [s] of waiting before it is reported
-    static constexpr double repetition = 0.2;  ///< [s] between repetitions of a step while the host waits
+    static constexpr double repetition = 0.2;  ///< [s] between repetitions of a step while this host waits
     static constexpr std::int64_t most_ticks = std::int64_t{1} << 53;  ///< more than any run has
 
     struct Settings {
         std::string host{};                ///< this host
         std::uint64_t run = 0;             ///< as announced
-        std::vector<std::string> hosts{};  ///< to wait for before the first tick, besides those of connections
+        std::vector<std::string> hosts{};  ///< further hosts to wait for before the first tick, without a connection
         std::function<double()> clock{};   ///< [s], monotonic
     };
 
@@ -48,7 +48,7 @@ public:
     Lockstep(const Lockstep&) = delete;
     Lockstep& operator=(const Lockstep&) = delete;
 
-    // Called every time other hosts are checked, in this order. `connections`: the existing ones with other hosts.
+    // Called in this order at every check of other hosts. `connections`: the existing connections with other hosts.
 
     /// True if connections with others may be made now. Before the first tick all expected hosts must be there, so that
     /// connections are always made in the same order.
@@ -66,7 +66,7 @@ public:
     void deliver(const MessageDoor& give);
     /// Called when all ports have latched for a tick: sends the step.
     void publish();
-    /// The run is over: the others continue without this host.
+    /// Ends the lockstep because this host's run is over: the other hosts continue without it.
     void leave();
 
     /// True if messages to and from this host are sent with its steps.
@@ -81,13 +81,13 @@ private:
         std::unique_ptr<Writer> writer{};
         std::unique_ptr<Reader> reader{};
         std::set<std::string, std::less<>> ports{};  // of this host, "name.port", that the other one needs
-        std::deque<Step> said{};                     // the last two: the other host may have missed both
+        std::deque<Step> said{};                     // the last two steps sent: the other host may have missed both
         std::map<std::int64_t, Step> heard{};        // received but not used, by the sender's tick
         double heard_at = 0;                         // [s] by the clock: the last message
         Step::End end = Step::goes_on;
-        std::int64_t last = most_ticks;  // its tick of the last step, if it has ended
+        std::int64_t last = most_ticks;  // the other host's tick of its last step, if the lockstep has ended
         bool paused = false;
-        bool in_use = false;  // a step was used
+        bool in_use = false;  // this host has used a step of the partner
         std::string waits_for{};
     };
 

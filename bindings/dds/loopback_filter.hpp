@@ -14,9 +14,9 @@ struct PortRange {
 /// The ports of a domain (DDSI-RTPS 2.5, 9.6.2.3).
 PortRange ports_of(std::uint32_t domain);
 
-/// Restricts every socket of this process that is bound to one of these ports at every address to packets of the
-/// loopback, which include all packets of this computer. Returns the number of sockets, or -1 if one can't be
-/// restricted.
+/// Restricts the sockets of this process that are bound to one of these ports at every address: they receive only
+/// packets of the loopback, which include all packets of this computer. Returns the number of sockets, or -1 if a
+/// socket can't be restricted.
 int hear_loopback_only(PortRange ports);
 
 }  // namespace nezumi::dds

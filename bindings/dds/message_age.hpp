@@ -21,7 +21,8 @@ public:
     }
 
 private:
-    // The largest difference of quartz clocks; a sender slower by this is still measured correctly.
+    // The largest relative difference between the rates of two quartz clocks. Up to it, a slow sender's clock causes no
+    // error.
     static constexpr double drift = 2e-4;
 
     bool known_ = false;

@@ -1,4 +1,4 @@
-// One object for both kinds of network, because a system has one network or none.
+// One object serves both other hosts and ROS, because a system has at most one `Network`.
 #include "bindings/dds/network_maker.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view of_ros = "ros/";
 
-// Of systems that are checked, tested in scenarios or replayed: nothing is sent, and nothing is received.
+// Systems that are checked, tested in scenarios or replayed use these: they send nothing and receive nothing.
 class SilentWriter final : public Writer {
 public:
     bool write(std::span<const std::uint8_t> /*cdr*/) override { return true; }
@@ -46,7 +46,7 @@ public:
 
 class BothNetworks final : public Network {
 public:
-    /// `own`: the transport used only by it, or nullptr.
+    /// `own`: a transport that only this object uses, or nullptr.
     BothNetworks(System& system, std::unique_ptr<DdsTransport> own, std::unique_ptr<SystemNetwork> hosts,
                  std::string node)
         : system_(system), own_(std::move(own)), hosts_(std::move(hosts)), node_(std::move(node)) {}
@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    // nullptr if there is none or it was removed.
+    // The ROS node; nullptr if there is none or it was removed.
     RosNode* node() { return node_.empty() ? nullptr : dynamic_cast<RosNode*>(system_.find(node_)); }
 
     System& system_;
@@ -115,13 +115,14 @@ Expected<Secret> secret_of(const NetworkSpec& spec) {
     return spec.secret.empty() ? user_secret() : read_secret(spec.secret, spec.secret_path);
 }
 
-// Checks what the file allows but this run does not.
+// Refuses settings that are valid in a file but not in this run.
 Expected<void> check(const NetworkSpec& spec, const System& system) {
     if (spec.lockstep && system.settings().real_time)
-        return failure("network: 'lockstep' is for simulations: time does not wait for real robots", spec.place);
+        return failure("network: 'lockstep' works only in simulation: time does not wait for real robots", spec.place);
     if (spec.lockstep && !is_writable(spec))
-        return failure("network: 'lockstep' lets other hosts hold up time: it needs `secret`, or `open = true`",
-                       spec.place);
+        return failure(
+            "network: 'lockstep' lets other hosts stop this system's time: it needs `secret`, or `open = true`",
+            spec.place);
     return {};
 }
 

@@ -1,4 +1,4 @@
-// Makes the networks of systems from their files: this host among others, and the ROS node.
+// Makes the networks that a system file declares: this host among other hosts, and the ROS node.
 #pragma once
 
 #include <cstdint>
@@ -36,9 +36,9 @@ private:
 
 /// `domains` must outlive every system. `version`: of nezumi.
 NetworkMaker make_networks(Domains& domains, std::string version);
-/// Networks without other hosts: everything is checked, but nothing leaves the process.
+/// Makes networks that check everything but send and receive nothing.
 NetworkMaker make_silent_networks();
-/// Silent networks for a check of a run on this computer: the file of a secret is read too.
+/// Makes silent networks for checking whether a system can run on this computer: also reads the file of the secret.
 NetworkMaker make_checked_networks();
 
 }  // namespace nezumi::dds

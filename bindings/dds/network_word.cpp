@@ -1,4 +1,4 @@
-// Reads what a host says of itself, checks it, and writes it.
+// Reads, checks and writes `network { ... }`.
 #include "bindings/dds/network_word.hpp"
 
 #include <fmt/format.h>
@@ -16,14 +16,16 @@ void NetworkWord::complete(NetworkSpec& given, Fields& fields, const PeerCall& c
     if (check.ok() && call.is_taken(given.name))
         check.wrong({"name"}, fmt::format("may not be '{}', a keyword of Lua or a command of the console", given.name));
     if (check.ok() && given.open && !given.secret.empty())
-        check.explain({"open"}, "with a `secret`, only hosts that have it may write: leave out one of them");
+        check.explain({"open"},
+                      "with a `secret`, only hosts that have the secret may write: leave out `open` or `secret`");
     if (check.ok() && !given.hosts.empty() && !given.lockstep)
         check.explain({"hosts"}, "only lockstep waits for hosts: say `lockstep = true` as well");
     check_peers(check, given.peers);
     for (const std::string& host : given.hosts) {
         if (!check.ok()) break;
         if (!is_identifier(host)) check.wrong({"hosts"}, fmt::format("expected names of hosts, got '{}'", host));
-        if (host == given.name) check.wrong({"hosts"}, fmt::format("may not name '{}': it is this host", host));
+        if (host == given.name)
+            check.wrong({"hosts"}, fmt::format("may not contain '{}', the name of this host", host));
     }
     // The secret is not read here, because everything that is read for a system is recorded.
     if (!check.ok() || given.secret.empty()) return;
@@ -47,7 +49,7 @@ Expected<void> NetworkWord::check(const SystemSpec& system) const {
         };
         if (network == nullptr) return refuse("a port of another host needs network { name = ... } in the system file");
         if (is_remote(each.from) && is_remote(each.to))
-            return refuse("both ends are on other hosts: one of these connects them");
+            return refuse("both ports are on other hosts: connect them in the system file of one of these hosts");
         if (host_of(remote) == network->name)
             return refuse(fmt::format("this host is '{}' itself: write \"{}\"", network->name, without_host(remote)));
     }

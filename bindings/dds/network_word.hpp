@@ -1,4 +1,4 @@
-// The word `network` of system files: this system is one of several hosts.
+// `network` in system files: makes this system one of several hosts.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct NetworkSpec {
     std::int64_t domain = 0;
     std::string interface;  ///< "": the loopback
     std::vector<std::string> peers{};
-    std::string secret{};       ///< a file, as the system's says it; "": none
-    std::string secret_path{};  ///< where it was found; "": nowhere
+    std::string secret{};       ///< the file of the secret, as written in the system file; "": none
+    std::string secret_path{};  ///< where this file was found; "": nowhere
     bool open = false;
     bool lockstep = false;
     std::vector<std::string> hosts{};  ///< lockstep also waits for these before the first tick
@@ -34,7 +34,7 @@ template <>
 struct Describe<dds::NetworkSpec> {
     static constexpr std::string_view name = "network";
     static constexpr std::string_view doc =
-        "This system is a host among others. Without the word nothing of it is on the network.";
+        "This system is one of several hosts. Without `network`, the system does not use the network.";
     static constexpr FieldList fields{
         Setting{"name", &dds::NetworkSpec::name, "", "what other hosts call this one", {.required = true}},
         Setting{"domain",
@@ -52,7 +52,7 @@ struct Describe<dds::NetworkSpec> {
                 &dds::NetworkSpec::secret,
                 "",
                 "a file that `nezumi network secret` has made: hosts that have it may write",
-                {.fallback = "on the loopback this user's own"}},
+                {.fallback = "on the loopback: the secret of this user"}},
         Setting{"open", &dds::NetworkSpec::open, "",
                 "every host on the interface, or every user of this computer, may write without a secret"},
         Setting{"lockstep", &dds::NetworkSpec::lockstep, "",

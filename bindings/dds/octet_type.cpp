@@ -1,4 +1,4 @@
-// Callbacks of Cyclone for messages and types. They must not throw.
+// The functions that Cyclone calls for messages and types. They must not throw.
 #include "bindings/dds/octet_type.hpp"
 
 #include <dds/ddsi/q_radmin.h>

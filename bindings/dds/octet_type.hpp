@@ -1,4 +1,4 @@
-// A message type for Cyclone DDS that is a sequence of bytes; the descriptions in engine/ports give it meaning.
+// A message type for Cyclone DDS that is a plain sequence of bytes. nezumi encodes and decodes the bytes itself.
 #pragma once
 
 #include <dds/dds.h>
@@ -10,8 +10,8 @@
 
 namespace nezumi::dds {
 
-/// Makes a type of this name without a key. Release it with `ddsi_sertype_unref` if no topic has taken it. A written
-/// message is a `std::span<const std::uint8_t>`: CDR with its header.
+/// Makes a type of this name without a key. If no topic has taken the type, release it with `ddsi_sertype_unref`. To
+/// write a message, pass a `std::span<const std::uint8_t>`: CDR with its header.
 ddsi_sertype* make_octet_type(const char* name);
 
 /// The bytes of a message whose type was made by `make_octet_type`; valid while `data` lives.

@@ -1,5 +1,5 @@
-// Only the newest velocity is sent, and late ones are dropped. All other messages are delivered, oldest first,
-// while there is space.
+// Of waiting velocities only the newest is kept, and late ones are dropped. All other messages are delivered, oldest
+// first, while the queue has space.
 #include "bindings/dds/port_topic.hpp"
 
 #include <fmt/format.h>

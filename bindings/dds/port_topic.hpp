@@ -43,12 +43,12 @@ void follow_ports(Map& all, const System& system) {
 /// Sends the messages of an out-port while another host needs them.
 class Outlet : public Published {
 public:
-    /// `number`: of the last message sent on this topic. It continues from an earlier outlet, and must outlive this
-    /// one.
+    /// `number`: the number of the last message sent on this topic; counting continues from an earlier outlet. The
+    /// variable must outlive this outlet.
     Outlet(const System& system, const OutPortBase& port, std::unique_ptr<Writer> writer, std::uint64_t& number)
         : Published(system, port), writer_(std::move(writer)), number_(number) {}
 
-    /// Sends what was published since the last call. `run` as announced. `clock`: the monotonic clock [s].
+    /// Sends what was published since the last call. `run`: as announced. `clock`: the monotonic time [s].
     void send(const Time& now, std::uint64_t run, double clock);
 
 private:
@@ -75,7 +75,7 @@ struct Counts {
     std::uint64_t wrong = 0;   ///< invalid for the port's type, with a number that is not finite, or of another run
 };
 
-/// The last message taken from a topic; repeated messages are older.
+/// The last message taken from a topic: messages that are not newer are repetitions, and rejected.
 struct Progress {
     std::optional<std::uint64_t> run{};  ///< of the sender
     std::uint64_t number = 0;            ///< of its last message
@@ -86,10 +86,10 @@ class Inlet {
 public:
     using Give = std::function<void(Value value)>;
 
-    /// `type`: of the port. `progress` continues from an earlier inlet, and must outlive this one.
+    /// `type`: of the port. `progress` continues from an earlier inlet of the topic, and must outlive this inlet.
     Inlet(const MessageType* type, std::unique_ptr<Reader> reader, Progress& progress);
 
-    /// Gives the received messages; only those of this run of the other host count.
+    /// Gives the received messages of this run of the other host; others count as wrong. Without `run`, all are wrong.
     void receive(std::optional<std::uint64_t> run, double clock, const Give& give);
     const Counts& counts() const { return counts_; }
 

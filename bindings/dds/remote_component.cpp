@@ -1,4 +1,4 @@
-// Ports are made when a connection needs them, and stay.
+// A port is made when a connection first needs it, and is never removed.
 #include "bindings/dds/remote_component.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The local representative of another host's component, with the ports that are connected here.
+// Represents another host's component in this system, with those of its ports that are connected.
 #pragma once
 
 #include <cstdint>
@@ -24,21 +24,21 @@ public:
     /// Returns the port of this name; makes it if missing.
     Port& port(const std::string& name, const MessageType* type, Direction direction);
 
-    /// From now on this out-port gives the messages of `reader`; nullptr: none.
+    /// From now on, messages of `reader` are written to this out-port; nullptr: none.
     void receive(OutPortBase& port, std::unique_ptr<Reader> reader);
     bool receives(const OutPortBase& port) const { return inlets_.contains(&port); }
-    /// The run of the host whose messages count; none: the host is missing.
+    /// Sets the run of the host whose messages count; none: the host is missing.
     void set_run(std::optional<std::uint64_t> run) { run_ = run; }
     /// Statistics of this port's messages; nullptr if it receives nothing.
     const Counts* counts(const OutPortBase& port) const;
 
-    /// Writes the messages received since the last tick, as acts of the other host. Does nothing while it is not
-    /// ACTIVE.
+    /// Writes the messages received since the last tick, as acts of the other host. Drops them while this component is
+    /// not ACTIVE.
     void receive(const MessageDoor& deliver);
 
-    /// Received messages are written before the tick.
+    /// Empty, because `receive` has written the messages before the tick.
     void sense(const Time& /*now*/) override {}
-    /// The in-ports' messages are sent where they are published: `Outlet`.
+    /// Empty, because an `Outlet` sends the messages of the local port that is connected to an in-port.
     void actuate(const Time& /*now*/) override {}
 
 private:

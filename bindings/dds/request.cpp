@@ -1,4 +1,4 @@
-// The topics on which hosts ask and answer.
+// The topics of requests and replies between hosts.
 #include "bindings/dds/request.hpp"
 
 #include <fmt/format.h>

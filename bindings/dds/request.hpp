@@ -1,4 +1,4 @@
-// What one host asks of another's components, and the answer, as they travel.
+// Requests of one host to components of another, and the replies, as sent over the network.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 namespace nezumi::dds {
 
 struct RemoteRequest {
-    std::uint64_t from = 0;    ///< run of the host that asks
-    std::uint64_t to = 0;      ///< run of the host that is asked: another start of that host is another host
+    std::uint64_t from = 0;    ///< run of the host that sends the request
+    std::uint64_t to = 0;      ///< run of the receiver: after a restart the request is no longer valid
     std::uint64_t number = 0;  ///< of the request in its run, from 1 on
     std::uint8_t what = 0;     ///< `Question::What`
-    std::string component{};   ///< of whom
+    std::string component{};   ///< name of the component
     std::string name{};        ///< of a set, parameter or command
     PlainData values{};        ///< of the parameter, or arguments
 
@@ -25,17 +25,17 @@ struct RemoteRequest {
 };
 
 struct Reply {
-    std::uint64_t to = 0;      ///< run of who asked
+    std::uint64_t to = 0;      ///< run of the host that sent the request
     std::uint64_t number = 0;  ///< of the request
-    bool well = false;         ///< it was done
-    std::string problem{};     ///< when not
-    PlainData values{};        ///< that it has come to
+    bool well = false;         ///< the request was executed
+    std::string problem{};     ///< the reason if it was not
+    PlainData values{};        ///< the result
 
     static constexpr std::string_view type_name = "Reply";
 };
 
-/// Requests to a host, and replies to it. Best effort: what is lost is asked again, and nothing waits in a broken link
-/// to be done when it heals.
+/// The topics for requests to a host, and for replies to it. Best effort: a lost request is repeated by its sender, and
+/// no old request waits in a broken connection to be executed much later.
 Topic request_topic(std::string_view host);
 Topic reply_topic(std::string_view host);
 

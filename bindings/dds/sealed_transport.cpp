@@ -1,4 +1,5 @@
-// A random nonce of 24 bytes, then the ciphertext with its tag. The topic's name and type are authenticated too.
+// A sealed message is a random nonce of 24 bytes, then the ciphertext with its tag. The topic's name and type are
+// authenticated too.
 #include "bindings/dds/sealed_transport.hpp"
 
 #include <fmt/format.h>
@@ -77,7 +78,7 @@ private:
 class SealedTransport final : public DdsTransport {
 public:
     SealedTransport(DdsTransport& inner, const Secret& secret) : inner_(inner), secret_(secret) {
-        // If it fails there is no randomness; then making a nonce aborts the program.
+        // A failure means that there are no random numbers; then the first nonce aborts the program.
         [[maybe_unused]] const int begun = sodium_init();
     }
     ~SealedTransport() override { sodium_memzero(secret_.data(), secret_.size()); }
@@ -153,7 +154,7 @@ Expected<Secret> read_secret(const std::string& said, const std::string& file) {
     const auto status = std::filesystem::status(file, none);
     if (!std::filesystem::exists(status))
         return refuse("does not exist: `nezumi network secret FILE` makes one, to be copied to each host");
-    // A reader of this file can drive robots.
+    // Anyone who can read this file can drive the robots.
     if ((status.permissions() & (perms::group_read | perms::others_read)) != perms::none)
         return refuse(fmt::format("can be read by others: chmod 600 {}", file));
     const auto text = read_whole(file, file);

@@ -22,8 +22,8 @@ Secret make_secret();
 /// Converts to the text of a file and back. An error gives the reason.
 std::string secret_text(const Secret& secret);
 Expected<Secret> secret_from(std::string_view text);
-/// Reads the secret of a file, which other users must not be able to read. If `file` is "", it does not exist. Errors
-/// use the name `said`.
+/// Reads the secret from a file, which other users must not be able to read. `file`: its path, "" if it was not found.
+/// `said`: the name of the file in errors.
 Expected<Secret> read_secret(const std::string& said, const std::string& file);
 
 /// Encrypts and authenticates for this topic only (XChaCha20-Poly1305 of libsodium); `cdr` has its header.

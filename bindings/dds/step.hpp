@@ -23,15 +23,15 @@ struct StepMessage {
 struct Step {
     enum End : std::uint8_t {
         goes_on,
-        parts,  ///< the lockstep of the two ends
+        parts,  ///< the sender's run goes on, but no longer in lockstep with the receiver
         ends,   ///< the sender's run is over
     };
     std::uint64_t run = 0;                ///< of the sender
     std::uint64_t to = 0;                 ///< run of the receiver
     std::int64_t began = 0;               ///< the sender's tick of the first step
-    std::int64_t tick = 0;                ///< the sender's next one
-    std::uint8_t end = 0;                 ///< `End`: of a last one
-    bool paused = false;                  ///< the sender could go on, and does not
+    std::int64_t tick = 0;                ///< the sender's next tick
+    std::uint8_t end = 0;                 ///< `End`: whether this is the last step, and why
+    bool paused = false;                  ///< the sender waits for no other host
     std::string waits_for{};              ///< the host for which the sender waits
     std::vector<StepMessage> messages{};  ///< published in the tick before
 

@@ -1,4 +1,5 @@
-// Their messages can't be decrypted, or use topics of other names.
+// A host with another secret sends messages that can't be decrypted. Hosts with and without a secret use topics with
+// different names.
 #include "bindings/dds/strangers.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ std::string Strangers::look(double now) {
     if (told_ || now < next_) return "";
     next_ = now + strangers_period;
     std::string_view who;
-    if (transport_.strange() > 0) who = "a host with another secret, as another user's,";
+    if (transport_.strange() > 0) who = "a host with another secret (for example of another user)";
     const std::string plain = announcement_topic().name;
     const std::string sealed = sealed_name(plain);
     for (const SeenEndpoint& each : transport_.seen()) {

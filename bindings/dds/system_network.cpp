@@ -113,7 +113,7 @@ bool SystemNetwork::open() {
 
 void SystemNetwork::listen() {
     const double now = settings_.clock();
-    // Only the last announcement is read: reading all of a host that changes without end would delay ticks.
+    // Only the last valid announcement of each writer is used: a host that sends many must not delay ticks.
     std::map<std::uint64_t, std::vector<Octets>> words;
     for (TopicSample& sample : listener_->take()) words[sample.writer].push_back(std::move(sample.bytes));
     for (auto& [writer, said] : words) {
@@ -233,7 +233,7 @@ void SystemNetwork::announce(const std::vector<Ends>& present) {
 
 namespace {
 
-// Why nothing comes from a port of another host: nullptr if the host is missing, "" if there is no reason.
+// Why a port of another host has no messages; "" if its host has the port. `host`: nullptr if the host is missing.
 std::string why_waiting(const Announcement* host, const RemoteComponent& remote, const Port& port) {
     if (host == nullptr) return fmt::format("waits for host {}", remote.host());
     const std::string name(without_host(nezumi::path(remote, port)));
@@ -246,7 +246,7 @@ std::string why_waiting(const Announcement* host, const RemoteComponent& remote,
 
 }  // namespace
 
-// Sets the notes at ports of other hosts.
+// Sets the notes of ports of other hosts: why they have no messages, or how many messages were lost.
 void SystemNetwork::note_waiting() {
     for (const auto& component : system_.components()) {
         auto* remote = dynamic_cast<RemoteComponent*>(component.get());

@@ -33,16 +33,18 @@ struct HostSettings {
     bool sealed = false;                                ///< the transport encrypts its messages
     std::uint64_t run = 0;                              ///< a different number at each start
     std::function<double()> clock = monotonic_seconds;  ///< [s], monotonic
-    bool lockstep = false;                              ///< its time follows its partners
+    bool lockstep = false;                              ///< waits for other hosts in every tick, see `Lockstep`
     std::vector<std::string> hosts{};                   ///< as in `Lockstep`
 };
 
 /// A connection with another host is an ordinary connection on both hosts, to a component that represents the other
-/// one: "ev3/vehicle". The host where it was requested announces it. The other one makes it as an act of that host, or
-/// refuses it with a reason. It ends when either end is disconnected, and survives the absence of a host.
+/// host's component: "ev3/vehicle". The host where the connection was requested announces it. The other host makes the
+/// same connection as an act of that host, or refuses it with a reason. A connection ends when either host disconnects
+/// it; it stays while a host is absent.
 class SystemNetwork final : public Network, private PortObserver {
 public:
-    /// Both must outlive the network. Nothing is sent or received before the first `between_ticks`.
+    /// The system and the transport must outlive the network. Nothing is sent or received before the first
+    /// `between_ticks`.
     SystemNetwork(System& system, DdsTransport& transport, HostSettings settings);
 
     Expected<void> reach(std::string_view path, const Port& other) override;
@@ -101,7 +103,7 @@ private:
     std::uint64_t layout_ = 0;                                   // the layout that is announced
     std::uint64_t followed_ = 0;                                 // the layout of the outlets
     int told_ = 0;                                               // number of refusals
-    int looked_ = 0;                                             // number of connections given to read-only hosts
+    int looked_ = 0;  // connections that others made while they may only read
 };
 
 }  // namespace nezumi::dds

@@ -15,7 +15,8 @@ namespace {
 
 // Connections made per check at the request of other hosts: acts cost time, and other hosts are not trusted.
 constexpr int most_made = 16;
-// Limits over the life of this system: connections for read-only hosts, and reported refusals.
+// Limits over the life of this system: connections that other hosts make while they may only read, and reported
+// refusals.
 constexpr int most_looked = 4096, most_told = 100;
 
 }  // namespace

@@ -13,9 +13,9 @@
 
 namespace nezumi::dds {
 
-/// A topic and its quality of service. Both ends compare name, type and reliability.
+/// A topic and its quality of service. A writer and a reader are matched by name, type and reliability.
 struct Topic {
-    std::string name;  ///< on the wire: "nezumi/mouse_pi/controller/out", "rt/cmd_vel"
+    std::string name;  ///< in DDS: "nezumi/mouse_pi/controller/out", "rt/cmd_vel"
     std::string type;  ///< name of its type, compared by peers
     bool reliable = false;
     bool keeps_last = false;  ///< a late reader gets the last message (reliable only)
@@ -77,7 +77,7 @@ public:
     /// Every known writer and reader in the domain, including its own.
     virtual std::vector<SeenEndpoint> seen() = 0;
     virtual std::string problem() const = 0;
-    /// The number of dropped messages that were not encrypted, or with another secret.
+    /// The number of messages that were dropped because they are not encrypted, or encrypted with another secret.
     virtual std::uint64_t strange() const { return 0; }
 };
 

@@ -1,4 +1,5 @@
-// The secret is written to a temporary file and linked to its name; only the first process can do that.
+// The secret is written to a temporary file, which is then linked to its name. Only the first process can make this
+// link, so all processes read the same secret.
 #include "bindings/dds/user_secret.hpp"
 
 #include <fcntl.h>
@@ -26,7 +27,7 @@ Unexpected refused(const std::filesystem::path& file, std::string_view why) {
                     visible(file.string()), why));
 }
 
-// Returns an errno, or 0 if there is a secret now.
+// Returns an errno, or 0 if the file exists now.
 int make_file(const std::filesystem::path& file) {
     std::error_code none;
     std::filesystem::create_directories(file.parent_path().parent_path(), none);

@@ -1,4 +1,5 @@
-// What travels between hosts beside the payloads of ports, each described once: CDR follows.
+// The structures that hosts send to each other, except for the payloads of ports. Their CDR encoding is derived from
+// their descriptions.
 #pragma once
 
 #include <bit>
@@ -13,10 +14,10 @@
 
 namespace nezumi::dds {
 
-/// Changes with every change that makes two hosts unable to understand each other.
+/// The protocol's version: increased with every change that makes hosts incompatible.
 inline constexpr std::uint32_t protocol = 4;
 
-/// How all of it is encoded.
+/// The encoding of all these structures.
 inline constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
 
 /// [bytes] of a name in a message; longer ones are refused.
@@ -26,9 +27,9 @@ inline constexpr std::size_t longest_reason = 1000;
 
 /// The start of every announcement, in every protocol: enough to name a host that can't be understood.
 struct AnnouncementHead {
-    std::uint32_t protocol = dds::protocol;  ///< what the rest is to be understood by
-    std::string host;                        ///< its name
-    std::string version;                     ///< of nezumi there
+    std::uint32_t protocol = dds::protocol;  ///< the protocol of the rest of the announcement
+    std::string host;                        ///< name of the host
+    std::string version;                     ///< of nezumi on that host
     bool operator==(const AnnouncementHead&) const = default;
 
     static constexpr std::string_view type_name = "AnnouncementHead";
@@ -46,13 +47,13 @@ struct AnnouncedPort {
 /// A field of a message type, or one within it.
 struct AnnouncedField {
     std::string path;    ///< "corners[i].x"; "" where the message is a single value
-    std::string values;  ///< which ones it may have, and their unit
+    std::string values;  ///< the allowed values, and their unit
     bool operator==(const AnnouncedField&) const = default;
 
     static constexpr std::string_view type_name = "AnnouncedField";
 };
 
-/// A message type that a file defines. Hosts whose definitions differ say the field by it.
+/// A message type that a file defines. If the definitions of two hosts differ, the error can name the field.
 struct AnnouncedType {
     std::string type;  ///< as ports announce it
     std::string name;  ///< as its file defines it
@@ -74,28 +75,28 @@ struct AnnouncedConnection {
 
 /// The description of a host, sent again whenever it changes. A host that comes late gets the last one.
 struct Announcement {
-    AnnouncementHead head;                      ///< who says this
+    AnnouncementHead head;                      ///< the host that is described
     std::uint64_t run = 0;                      ///< another number each time that a host starts
     std::uint64_t number = 0;                   ///< of this announcement in its run, from 1 on
     std::vector<std::uint64_t> heard;           ///< runs of the hosts whose announcements it has
     std::vector<AnnouncedPort> ports;           ///< the ports of this host
-    std::vector<AnnouncedType> types;           ///< of these ports, but the compiled ones; large ones may be left out
-    std::vector<AnnouncedConnection> wants;     ///< connections that it was asked for
-    std::vector<AnnouncedConnection> refusals;  ///< of those that other hosts want with it
-    double lockstep = 0;                        ///< [Hz] its ticks, 0 where it keeps its own time
-    std::vector<std::string> partners;          ///< hosts with which it is to keep in step, sorted
+    std::vector<AnnouncedType> types;           ///< types of these ports that files define; large ones may be missing
+    std::vector<AnnouncedConnection> wants;     ///< connections that were requested on this host
+    std::vector<AnnouncedConnection> refusals;  ///< connections of other hosts that this host refuses
+    double lockstep = 0;                        ///< [Hz] tick rate in lockstep; 0: not in lockstep
+    std::vector<std::string> partners;          ///< hosts that this host waits for in lockstep, sorted
     bool operator==(const Announcement&) const = default;
 
     static constexpr std::string_view type_name = "Announcement";
 };
 
-/// What stands before the payload of a message between hosts.
+/// The head of a message between hosts, before the payload.
 struct MessageHead {
     std::uint64_t run = 0;     ///< as in the sender's announcement
     std::uint64_t number = 0;  ///< of the message in its topic, from 1 on
     double stamp = 0;          ///< [s] of the message, by the sender's time
-    std::int64_t tick = 0;     ///< of the sender's, in which it was sent
-    double offset = 0;         ///< [s] of the sender's monotonic clock over its time, when it was sent
+    std::int64_t tick = 0;     ///< the sender's tick in which the message was sent
+    double offset = 0;         ///< [s] the sender's monotonic clock minus its system time, when it was sent
 
     static constexpr std::string_view type_name = "MessageHead";
 };

@@ -1,4 +1,4 @@
-// The axis of a plot: the range of its values, and round steps over it.
+// The axis of a plot: the range of values, and round steps for its labels.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,8 @@ struct AxisRange {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    /// Makes the range not empty, at least `least` long, and longer by `part` at both ends.
+    /// Makes the range longer by the fraction `part` at both ends. A range of one value is extended by at least
+    /// `least`, an empty one becomes 0 to 1 first.
     void widen(double part, double least) {
         if (low > high) low = 0, high = 1;
         const double more = std::max((high - low) * part, high - low > 0 ? 0 : std::max(least, std::abs(low) * 0.1));

@@ -71,7 +71,7 @@ void Canvas::text(double x, double y, const std::string& words, double size, con
 }
 
 void Canvas::image(Picture picture, double x, double y, double width, double height) {
-    // Both formats store a pixel as 0x00rrggbb.
+    // `Picture` and cairo's RGB24 both store a pixel as 0x00rrggbb.
     const std::unique_ptr<cairo_surface_t, Release> surface(
         cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(picture.pixels.data()), CAIRO_FORMAT_RGB24,
                                             picture.width, picture.height, 4 * picture.width));
@@ -84,7 +84,7 @@ void Canvas::image(Picture picture, double x, double y, double width, double hei
     if (scale > 1) cairo_pattern_set_filter(cairo_get_source(context()), CAIRO_FILTER_NEAREST);
     cairo_paint(context());
     cairo_restore(context());
-    cairo_surface_finish(surface.get());  // cairo may still refer to the pixels and copies them now
+    cairo_surface_finish(surface.get());  // makes cairo copy the pixels if it still needs them
 }
 
 Expected<void> Canvas::write() {

@@ -15,7 +15,7 @@ namespace nezumi::draw {
 struct Colour {
     double red = 0, green = 0, blue = 0, alpha = 1;  ///< 0 to 1
     Colour with_alpha(double a) const { return {red, green, blue, a}; }
-    /// Changes it towards black (`amount` < 0) or white (> 0), by at most 1.
+    /// Returns a colour nearer to black (`amount` from -1 to 0) or to white (0 to 1).
     Colour shaded(double amount) const;
 };
 
@@ -35,7 +35,7 @@ cairo_status_t append_to_string(void* text, const unsigned char* data, unsigned 
 
 class Canvas {
 public:
-    /// `file` must end in .png or .svg, which decides the format. The file is written by `write` only. Sizes in pixels.
+    /// `file` must end in .png or .svg, which decides the format. Only `write` writes the file. Sizes are in pixels.
     Canvas(std::string file, double width, double height);
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
@@ -47,10 +47,11 @@ public:
     void set(const Colour& colour) {
         cairo_set_source_rgba(context(), colour.red, colour.green, colour.blue, colour.alpha);
     }
-    /// Draws text, in pixels of the present units. `anchor`: 0 starts at x, 0.5 is centred on it, 1 ends there.
+    /// Draws text; positions and size are in the present units of cairo. `anchor`: 0: the text starts at x, 0.5: it is
+    /// centred on x, 1: it ends at x.
     void text(double x, double y, const std::string& words, double size, const Colour& colour, double anchor = 0,
               bool bold = false);
-    /// Draws a picture at this size with sharp pixels.
+    /// Draws a picture in this rectangle. Enlarged pixels stay sharp.
     void image(Picture picture, double x, double y, double width, double height);
     double text_width(const std::string& words, double size, bool bold = false);
 
@@ -67,7 +68,7 @@ private:
     std::string file_;
     bool svg_;
     double width_, height_;
-    std::string bytes_;  // of the file; declared before its writer
+    std::string bytes_;  // of the file; declared before `surface_`, which writes into them
     std::unique_ptr<cairo_surface_t, Release> surface_;
     std::unique_ptr<cairo_t, Release> context_;
 };

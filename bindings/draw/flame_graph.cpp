@@ -1,4 +1,4 @@
-// A box is as wide as its time; its children stand on it, the widest first.
+// The width of a box is its time. Its children are above it, the widest first.
 #include "bindings/draw/flame_graph.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace nezumi::draw {
 namespace {
 
 constexpr double flame_width = 1200, flame_row = 18, flame_margin = 10;  // px
-constexpr double letter = 7;                                             // px, of the font below
+constexpr double letter = 7;                                             // px, width of a letter of the font
 constexpr double least = 0.3;                                            // px: narrower boxes are left out
 
 struct Placed {
@@ -23,7 +23,7 @@ struct Placed {
     double from, time;  // [s]
 };
 
-// The boxes with a time, parents first.
+// Places the boxes that have a time, parents first.
 std::vector<Placed> place(const std::vector<FlameBox>& boxes) {
     if (boxes.empty()) return {};
     std::vector<double> whole(boxes.size());

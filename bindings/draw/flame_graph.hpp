@@ -1,4 +1,4 @@
-// Flame graphs: what took how long, by what called it.
+// Flame graphs: a box for each function shows how long it took, above the function that called it.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,10 @@ struct FlameBox {
     double own = 0;  ///< [s] without its children
 };
 
-/// A drawing as SVG, whose boxes show their time when the pointer is on them.
+/// Draws the boxes as SVG. A box shows its time when the mouse pointer is on it.
 std::string flame_svg(const std::vector<FlameBox>& boxes, const std::string& title);
 
-/// The drawing as JSON of trace events, which speedscope and Perfetto open: one event for each box, as long as it took
-/// in all.
+/// Writes the boxes as JSON of trace events, for speedscope and Perfetto: one event for each box, with its whole time.
 std::string flame_json(const std::vector<FlameBox>& boxes);
 
 }  // namespace nezumi::draw

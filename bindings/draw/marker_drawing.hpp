@@ -8,7 +8,8 @@
 namespace nezumi::draw {
 
 /// Draws the tag in the middle of the sheet, and below it its number, its size and a line for checking the scale. The
-/// context's unit is 1 m from the top left. `size` [m] is the edge of the black border, at most `largest_marker`.
+/// units of the context must be metres, from the top left corner. `size` [m] is the edge of the black border, at most
+/// `largest_marker`.
 void draw_marker(cairo_t* context, const Paper& paper, const PrintedTag& tag, double size);
 
 }  // namespace nezumi::draw

@@ -1,4 +1,4 @@
-// Only the size of the page is in PDF's points.
+// Lengths are in metres; only the size of the page is in PDF's points.
 #include "bindings/draw/marker_sheet.hpp"
 
 #include <cairo-pdf.h>

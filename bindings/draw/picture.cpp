@@ -15,7 +15,7 @@
 namespace nezumi::draw {
 namespace {
 
-constexpr double picture_head = 64, foot = 56, side = 28;      // [px] around the drawing
+constexpr double picture_head = 64, foot = 56, side = 28;      // [px] margins around the drawing
 constexpr double largest_width = 1100, largest_height = 820;   // [px] of the drawing
 constexpr double smallest_width = 560, smallest_height = 240;  // [px]
 constexpr double most_pixels_a_metre = 800;
@@ -149,7 +149,7 @@ private:
         cairo_stroke(context());
     }
 
-    // Older parts are fainter.
+    // Draws the path of a robot; older parts are fainter.
     void path(const PictureOf::Robot& robot, const Colour& colour) {
         const auto& points = robot.path;
         if (points.empty()) return;
@@ -220,7 +220,7 @@ private:
         const BodySpec& body = robot.body;
         cairo_save(context());
         cairo_translate(context(), x(robot.pose.position.x), y(robot.pose.position.y));
-        cairo_scale(context(), scale_, -scale_);  // from here on: metres, y up
+        cairo_scale(context(), scale_, -scale_);  // the units below are metres, y upwards
         cairo_rotate(context(), robot.pose.heading);
         const double pixel = 1 / scale_;
 
@@ -294,7 +294,7 @@ private:
     double scale_ = 1;  // [px/m]
     double floor_width_ = 0, floor_height_ = 0;
     Point2D centre_;
-    Canvas canvas_;  // after the members that `layout` sets
+    Canvas canvas_;  // declared after the members that `layout` sets
 };
 
 }  // namespace

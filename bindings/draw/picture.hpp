@@ -33,11 +33,11 @@ struct PictureOf {
     std::vector<Robot> robots;
 };
 
-/// Copies the present state.
+/// Copies the present state of a system.
 PictureOf look_at(const RunningSystem& live, const Trajectories& trajectories, std::string title);
 
 /// Draws the picture to a file that ends in .png or .svg. Positions that are not finite, and a floor's image that
-/// `read` can't read, are left out. An error says why it can't be written; then there is no file.
+/// `read` can't read, are left out. The error says why the file can't be written; then there is no file.
 Expected<void> draw_picture(PictureOf picture, const std::string& file, const PictureReader& read);
 
 }  // namespace nezumi::draw

@@ -1,4 +1,4 @@
-// Corners, paths and rays, except for values that are not finite.
+// Computes bounds from corners and paths, after values that are not finite have been removed.
 #include "bindings/draw/picture_bounds.hpp"
 
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace nezumi::draw {
 
-// The convex hull of its corners (Andrew's monotone chain).
+// The convex hull of the box's corners (Andrew's monotone chain).
 std::vector<Point2D> outline(const ThingPose& thing) {
     const auto& [r, p, y] = thing.pose.orientation;
     const double cr = std::cos(r), sr = std::sin(r), cp = std::cos(p), sp = std::sin(p), cy = std::cos(y),

@@ -22,11 +22,10 @@ struct Bounds {
 /// The outline of a box seen from above [m], at any rotation, anticlockwise.
 std::vector<Point2D> outline(const ThingPose& thing);
 
-/// Removes everything with coordinates that are not finite: one of them would spoil the whole drawing.
+/// Removes everything with coordinates that are not finite: with one of them nothing could be drawn.
 PictureOf only_finite(PictureOf picture);
 
-/// The bounds of things, robots with their paths, and the floor's picture; half a metre around the origin if there is
-/// nothing.
+/// The bounds of things, robots with their paths, and the floor's picture; 0.5 m around the origin if there is nothing.
 Bounds bounds_of(const PictureOf& picture);
 
 }  // namespace nezumi::draw

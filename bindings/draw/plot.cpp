@@ -143,7 +143,7 @@ private:
     }
 
     const Plot& plot_;
-    double legend_;  // [px] its height
+    double legend_;  // [px] height of the legend
     Canvas canvas_;
     AxisRange times_, values_;
 };

@@ -32,7 +32,8 @@ struct Plot {
     std::vector<Moment> moments;
 };
 
-/// Draws the plot to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
+/// Draws the plot to a file that ends in .png or .svg. The error says why the file can't be written; then there is no
+/// file.
 Expected<void> draw_plot(const Plot& plot, const std::string& file);
 
 }  // namespace nezumi::draw

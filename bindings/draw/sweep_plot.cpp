@@ -1,4 +1,4 @@
-// Numbers are placed by their value on the axis, other values side by side.
+// Parameter values that are numbers have their position on the axis; other values are side by side.
 #include "bindings/draw/sweep_plot.hpp"
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ public:
 
 private:
     static constexpr double width = 720, height = 460;                    // [px]
-    static constexpr double left = 84, right = 28, head = 56, axis = 64;  // [px] around the drawing
+    static constexpr double left = 84, right = 28, head = 56, axis = 64;  // [px] margins around the drawing
 
     cairo_t* context() { return canvas_.context(); }
     double x(double at) const {
@@ -93,7 +93,7 @@ private:
         canvas_.text(x(at), height - axis + 18, label, 12, ink::faint, 0.5);
     }
 
-    // The values of the second parameter in the colours of their series, from the right.
+    // Writes the values of the second parameter in the colours of their series, from right to left.
     void legend() {
         constexpr double letter = 7.2;  // [px]
         double at = width - right;
@@ -105,7 +105,7 @@ private:
         canvas_.text(at, head - 6, plot_.by + ":", 13, ink::text, 1);
     }
 
-    // The place of a value of a series: beside those of the other series, where values are not numbers.
+    // The x position [px] of a value of a series. If values are not numbers, the series are side by side.
     double place(double at, std::size_t series) const {
         if (plot_.is_numeric) return x(at);
         const double middle = static_cast<double>(plot_.series.size() - 1) / 2;
@@ -121,7 +121,7 @@ private:
         }
     }
 
-    // The area between the quartiles, and a line through the medians.
+    // Draws the area between the quartiles, and a line through the medians.
     void band(std::size_t series) {
         const auto& groups = plot_.series[series].groups;
         for (const auto& group : groups) cairo_line_to(context(), x(group.at), y(group.lower));

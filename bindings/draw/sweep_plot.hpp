@@ -9,8 +9,8 @@
 
 namespace nezumi::draw {
 
-/// A measure of a scenario over one parameter, for all values of the others; with a series for each value of a second
-/// parameter, if there is one.
+/// A measure of a scenario over one parameter, with the runs for all values of the other parameters. If there is a
+/// second parameter, each of its values has a series.
 struct SweepPlot {
     /// The runs with one value of the parameter, or with a range of values if there are many.
     struct Group {
@@ -39,7 +39,7 @@ struct SweepPlot {
     std::string file;                   ///< name without the folder
 };
 
-/// Draws the plot as SVG. An error says why it can't be written; then there is no file.
+/// Draws the plot as SVG. The error says why the file can't be written; then there is no file.
 Expected<void> draw_sweep_plot(const SweepPlot& plot, const std::filesystem::path& folder);
 
 }  // namespace nezumi::draw

@@ -12,13 +12,13 @@ namespace nezumi::draw {
 
 class Trajectories {
 public:
-    /// Adds the present positions of simulated robots. Call it after every tick. Robots that are added later start
-    /// then.
+    /// Adds the present positions of simulated robots. Call this after every tick. The trajectory of a robot that is
+    /// added later starts when it is added.
     void add(const System& system, Trace& trace);
-    /// Removes all, after a restart of the system.
+    /// Removes all trajectories. Call this after a restart of the system.
     void clear() { by_robot_.clear(); }
 
-    /// Points [m] of a robot's trajectory, oldest first; empty when it has not been seen.
+    /// Points [m] of a robot's trajectory, oldest first; empty if the robot is unknown.
     const std::vector<Point2D>& of(std::string_view robot) const;
 
 private:

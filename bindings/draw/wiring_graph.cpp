@@ -35,7 +35,7 @@ Box size_of(const WiringOf::Node& node, Canvas& canvas) {
     return box;
 }
 
-// The places of the boxes and the total size.
+// The positions and sizes of the boxes.
 std::vector<Box> place(const WiringOf& wiring, Canvas& canvas) {
     const std::vector<std::size_t> columns = columns_of(wiring);
     std::vector<Box> boxes;
@@ -119,8 +119,8 @@ std::vector<std::size_t> columns_of(const WiringOf& wiring) {
     const std::size_t count = wiring.nodes.size();
     std::vector<std::vector<std::size_t>> next(count);
     for (const auto& edge : wiring.edges) next[edge.from].push_back(edge.to);
-    // Depth-first search in the system's order: a connection to a node that is not left yet is a backward one. A node
-    // is left after all nodes behind it, so the reverse order of leaving is the order of columns.
+    // Depth-first search in the system's order: a connection to a node that was entered and not left yet is a backward
+    // one. A node is left after all nodes behind it, so the reverse order of leaving is the order of columns.
     enum class Seen : unsigned char { no, entered, left };
     std::vector<Seen> seen(count, Seen::no);
     std::vector<std::size_t> leaving;

@@ -23,8 +23,8 @@ struct WiringOf {
         std::vector<PortOf> ins, outs;
     };
     struct Edge {
-        std::size_t from = 0;  ///< node
-        std::size_t out = 0;   ///< its port
+        std::size_t from = 0;  ///< index of the component that sends
+        std::size_t out = 0;   ///< index of its out-port
         std::size_t to = 0;
         std::size_t in = 0;
     };
@@ -36,11 +36,12 @@ struct WiringOf {
 
 WiringOf wiring_of(const RunningSystem& live, std::string title);
 
-/// The column of each node, from the left. A node is right of all its sources. Only a connection that closes a cycle
-/// goes back.
+/// The column of each box, from the left. A box is right of all its sources. Only a connection that closes a cycle goes
+/// back.
 std::vector<std::size_t> columns_of(const WiringOf& wiring);
 
-/// Draws the wiring to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
+/// Draws the wiring to a file that ends in .png or .svg. The error says why the file can't be written; then there is no
+/// file.
 Expected<void> draw_wiring(const WiringOf& wiring, const std::string& file);
 
 }  // namespace nezumi::draw

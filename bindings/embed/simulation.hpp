@@ -14,7 +14,7 @@
 
 namespace nezumi {
 
-/// Options for simulation: with ODE's world and all native components. `installed` are folders like
+/// The options for simulated systems: with ODE's world and all native components. `installed` are folders like
 /// PREFIX/share/nezumi, with `behaviors/` and `engine/robots/`; they are searched after the project's own files. A
 /// library without simulation (NEZUMI_SIMULATION=OFF) gives no `world` and can't simulate a robot.
 LiveOptions simulated_systems(std::vector<std::filesystem::path> installed);
@@ -29,10 +29,11 @@ public:
         std::function<void(const LogLine&)> log;       ///< gets log lines; optional
     };
 
-    /// Reads a system file, builds the system and activates it at time 0. An error is the first one of the file, with
+    /// Reads a system file, builds the system and activates it at time 0. Returns the first error of the file, with
     /// its location.
     static Expected<Simulation> load(const std::filesystem::path& file, Options options);
-    /// Like `load`, with the program's own factories besides those of `simulated_systems`: of components and drivers.
+    /// Like `load`. In `options`, the program can add its own factories of components and drivers to those of
+    /// `simulated_systems`.
     static Expected<Simulation> load_with(const std::filesystem::path& file, LiveOptions options);
 
     /// Runs one tick. Also checks a gamepad's emergency stop button, if a joystick component has one.
@@ -46,7 +47,8 @@ public:
     Expected<ActResult> act(const Act& act) { return live_->act(act, {Actor::Kind::run}); }
     /// Read access to components, robots, ports and the world.
     const System& system() const { return live_->system(); }
-    /// For a `RunLoop`, which ticks by the clock, and for the buttons of robots (engine/live/robot_buttons.hpp).
+    /// The running system, for a `RunLoop`, which ticks in real time, and for the buttons of robots
+    /// (engine/live/robot_buttons.hpp).
     RunningSystem& running() { return *live_; }
 
 private:

@@ -17,8 +17,8 @@ LiveOptions systems_without_vision(std::vector<std::filesystem::path> installed,
     for (const char* const type : {"Camera", "ColorDetector", "LineDetector", "MarkerDetector"}) {
         live.components[type]["sim"] = [program](const ComponentEntry& entry,
                                                  System& /*system*/) -> Expected<std::unique_ptr<Component>> {
-            return failure(fmt::format("component '{}': {} has no cameras and no vision, and no {}", entry.name,
-                                       program, entry.type),
+            return failure(fmt::format("component '{}': {} has no cameras and no vision, so the type {} is missing",
+                                       entry.name, program, entry.type),
                            entry.place);
         };
     }

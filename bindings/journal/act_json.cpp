@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// As a system file says it, and the file that names are looked up beside.
+// Writes an entry as the text of a system file, and the path of its file, in whose folder names are searched.
 Json write_entry(const Entry& entry, const ScriptHost& scripts) {
     SystemSpec spec;
     spec.entries.push_back(entry);
@@ -31,7 +31,7 @@ Json write_marker(const MarkerSpec& marker, const ScriptHost& scripts) {
                 {"file", text_to_json(marker.place.file)}};
 }
 
-// A part of a system, as `write_entry` and `write_marker` have written it; `part` gives what there is of its kind.
+// Reads what `write_entry` or `write_marker` has written; `part` returns the parts of this kind in a system.
 template <class T, class Part>
 std::string read_part(const Json& json, T& out, const PartReader& parts, std::string_view what, const Part& part) {
     if (!json.is_object() || !json.contains("lua") || !json.contains("file"))
@@ -48,7 +48,7 @@ std::string read_part(const Json& json, T& out, const PartReader& parts, std::st
     return "";
 }
 
-// Entries and markers have no description.
+// Special forms for entries and markers, which have no `Describe`.
 OtherForms forms_with(const ScriptHost& scripts) {
     return {.write = [&scripts](const ValueView& value) {
         if (value.type == &type_of<Entry>()) return write_entry(value.as<Entry>(), scripts);

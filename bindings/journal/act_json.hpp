@@ -10,9 +10,9 @@
 
 namespace nezumi {
 
-/// The fields of an act. An entry of a system is text, as in a system file.
+/// The fields of an act as JSON. Entries and markers are texts, as in a system file.
 nlohmann::ordered_json to_json(const Act& act, const ScriptHost& scripts);
-/// The act of this name. An error says which field is wrong. `parts` reads its entry.
+/// The act with this name. The error says which field is wrong. `parts` reads entries and markers.
 Expected<Act> act_from_json(std::string_view name, const nlohmann::ordered_json& fields, const PartReader& parts);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Base64 (RFC 4648): three bytes are four letters. Own code, because no library linked at the start has it.
+// Base64 (RFC 4648): three bytes are four letters. Written here, because no library that is always linked has it.
 #include "bindings/journal/base64.hpp"
 
 #include <cstddef>
@@ -33,7 +33,7 @@ std::optional<std::string> from_base64(std::string_view text) {
         const auto value = letters.find(text[at]);
         if (value == std::string_view::npos) return std::nullopt;
         bits = bits << 6 | static_cast<std::uint32_t>(value);
-        // The second letter of a group completes a byte, and each further one another.
+        // In a group of four, each letter from the second on completes a byte.
         if (const std::size_t left = at % 4; left > 0) bytes += static_cast<char>(bits >> (6 - 2 * left) & 255);
     }
     return bytes;

@@ -1,4 +1,5 @@
-// Both runs go on tick by tick; the values are compared only in the tick in which their hashes become different.
+// Both runs are performed tick by tick. The values are compared only in the tick in which the trace hashes become
+// different.
 #include "bindings/journal/compare_runs.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@
 namespace nezumi {
 namespace {
 
-constexpr std::size_t most_values = 20;  // in a difference
+constexpr std::size_t most_values = 20;  // largest number of values in a difference
 
 struct Leaf {
     std::string text;
@@ -70,7 +71,7 @@ std::vector<DifferingValue> differing_values(const std::string& port, const Valu
         if (value.by && *value.by <= tolerance) continue;
         found.push_back(std::move(value));
     }
-    // Bytes, such as pixels, are not leaves.
+    // Bytes, such as pixels, are not leaves: if all leaves are equal, they differ.
     if (all_same && first != nullptr && second != nullptr)
         found.push_back({port, short_text(*first), short_text(*second), {}});
     return found;
@@ -98,7 +99,7 @@ public:
     }
 
 private:
-    // The port of this name; null for none.
+    // The port with this name; null if there is none.
     static const Port* find(const System& system, const std::string& name) {
         const auto port = system.port(name);
         return port ? *port : nullptr;
@@ -142,7 +143,7 @@ Expected<std::vector<std::string>> traced_lines(RunningSystem& live, const ActTi
                                                 const std::string& component) {
     if (auto there = live.act(Seek{.branch = {}, .tick = before.tick, .start = before.start}, {}); !there)
         return Unexpected(there.error());
-    live.repeat_known();  // it may have been added just then
+    live.repeat_known();  // the component may have been added just before this tick
     return lines_of_next_tick(live, component);
 }
 
@@ -168,7 +169,7 @@ std::vector<DifferingLine> differing_lines(const std::vector<std::string>& first
 
 namespace {
 
-// A file that only one of the runs has read differs as well.
+// The files with different texts; a file that only one of the runs has read is one of them.
 std::vector<std::string> differing_files(const RunningSystem& first, const RunningSystem& second) {
     std::map<std::string, std::pair<std::optional<std::string>, std::optional<std::string>>> texts;
     for (const auto& [path, seen] : first.history().files()) {

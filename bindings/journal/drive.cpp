@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-// No other component of the judged system has this name.
+// The name of the device that plays the recording. The judged system has no other component with this name.
 std::string player_of(const std::string& behavior) { return behavior + "_recording"; }
 
 // Keeps the acts on one component, until the run restarts or goes back.
@@ -28,7 +28,7 @@ private:
     const int generation_;
 };
 
-// The last message of a port in each tick, one after the other.
+// Finds the last message of a port in each tick. Ticks must be requested in ascending order.
 class Cursor {
 public:
     explicit Cursor(const DrivePort* port) : port_(port) {}
@@ -109,7 +109,7 @@ std::string names_of(const std::map<std::string, DrivePort, std::less<>>& ports)
     return names.empty() ? "nothing" : names;
 }
 
-// Whether the recording has what the behaviour reads.
+// An error if the recording does not have all messages that the behaviour reads.
 Expected<void> check_in_ports(const RecordedDrive& drive, const Component& behavior) {
     for (const auto& port : behavior.in_ports()) {
         const auto recorded = drive.arrived.find(port->name());
@@ -200,7 +200,7 @@ Expected<RecordedDrive> drive_of(Replay& replay, RunningSystem& live, const std:
 
 namespace {
 
-// The judged behaviour alone, with the device that plays what was recorded.
+// A system of only the judged behaviour and the device that plays the recorded messages.
 class JudgedSystem {
 public:
     static Expected<JudgedSystem> make(const RecordedDrive& drive, const Project& project, LiveOptions options) {
@@ -220,7 +220,7 @@ public:
         auto live = RunningSystem::make(system_of(drive), project, std::move(options));
         if (!live) return Unexpected(live.error());
         const std::string& name = drive.entry.name;
-        // Plays into the inputs that the behaviour has now.
+        // Connects the device to the inputs of the present version of the behaviour.
         for (const auto& port : std::as_const(**live).system().find(name)->in_ports()) {
             const Connect connect{.from = player_of(name) + "." + port->name(), .to = name + "." + port->name()};
             if (auto done = (*live)->act(connect, {}); !done) return Unexpected(done.error());
@@ -255,10 +255,10 @@ private:
         : drive_(&drive), seconds_(std::move(seconds)), live_(std::move(live)) {}
 
     const RecordedDrive* drive_;
-    std::unique_ptr<double> seconds_;  // what the system's clock says
+    std::unique_ptr<double> seconds_;  // the time of the system's clock
     std::unique_ptr<RunningSystem> live_;
-    std::size_t next_ = 0;   // act
-    std::size_t ticks_ = 0;  // that have been
+    std::size_t next_ = 0;   // index of the next act
+    std::size_t ticks_ = 0;  // number of performed ticks
 };
 
 }  // namespace
@@ -278,7 +278,7 @@ Expected<Judgement> judge(const RecordedDrive& drive, const Project& project, co
         if (judgement.different == 0) ++equal;
     }
     if (judgement.different == 0) return judgement;
-    // Once more up to there: a trace costs time in each tick.
+    // Repeats the run up to the first difference to get its lines: tracing every tick would take too long.
     auto again = JudgedSystem::make(drive, project, options);
     if (!again) return Unexpected(again.error());
     for (std::int64_t i = 0; i <= equal; ++i) {

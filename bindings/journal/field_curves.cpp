@@ -1,4 +1,4 @@
-// Only numbers are kept: texts and booleans have no curve.
+// Keeps only numbers: texts and booleans have no curves.
 #include "bindings/journal/field_curves.hpp"
 
 #include "engine/tree/node.hpp"

@@ -18,7 +18,7 @@ public:
     /// Time [s], ascending, and value.
     using Points = std::vector<std::pair<double, double>>;
 
-    /// Keeps these fields, as "keeper.out.vx"; all without names.
+    /// Keeps only these fields ("keeper.out.vx"); all fields if the set is empty.
     explicit FieldCurves(std::set<std::string> fields = {}) : fields_(std::move(fields)) {}
 
     /// Adds the numbers of a message that the port "keeper.out" published at this time [s].
@@ -33,8 +33,8 @@ private:
     std::map<std::string, Points> curves_;
 };
 
-/// Repeats a run from its beginning, and adds what out-ports publish in this start of the system. An error if the run
-/// can't be repeated.
+/// Repeats a run from its beginning, and adds the numbers that out-ports publish after start number `start`. An error
+/// if the run can't be repeated.
 Expected<void> add_curves(FieldCurves& curves, Replay& replay, RunningSystem& live, int start);
 
 }  // namespace nezumi

@@ -1,4 +1,5 @@
-// The contents of files as JSON. A file's text is a plain string, because most parts of a journal are files.
+// The contents of files as JSON. The text of a file is a plain string, to save space: most of a journal is the text of
+// files.
 #include "bindings/journal/files_json.hpp"
 
 #include <nlohmann/json.hpp>
@@ -23,7 +24,7 @@ Json to_json(const PathSeen& found) {
     return json;
 }
 
-// Returns whether it is one.
+// Reads a text. Returns whether `json` is one.
 bool read(const Json& json, std::string& out) {
     auto text = text_from_json(json);
     if (text) out = std::move(*text);

@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-/// A file as { PATH: TEXT }, or null if it does not exist. A folder, and a file that was not or could not be read, are
-/// an object: { "is": "a folder", "names": [...], "error": "can't be read: ..." }.
+/// A file as { PATH: TEXT }, or null if it does not exist. A folder, and a file whose text is not known, are an object:
+/// { "is": "a folder", "names": [...], "error": "can't be read: ..." }.
 nlohmann::ordered_json files_to_json(const FilesSeen& seen);
 std::optional<FilesSeen> files_from_json(const nlohmann::ordered_json& json);
 

@@ -1,5 +1,5 @@
-// Lines are written whole, on a thread of their own: a process that is killed leaves a journal of whole lines, and a
-// slow disk delays no tick.
+// A separate thread writes complete lines: if the process is killed, the journal has only complete lines, and a slow
+// disk delays no tick.
 #include "bindings/journal/journal.hpp"
 
 #include <fmt/format.h>

@@ -122,9 +122,9 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
     const std::string written_by = shown(field<std::string>(json, "version").value_or("of an unknown version"));
     const auto format = field<int>(json, "journal");
     if (format != journal_format) {
-        return failure(fmt::format("{} is a journal of nezumi {} in the format {}: this is nezumi {}, which reads {}",
-                                   file_.string(), written_by, format ? std::to_string(*format) : "?", version,
-                                   journal_format));
+        return failure(
+            fmt::format("{} is a journal of nezumi {} in the format {}: this is nezumi {}, which reads only format {}",
+                        file_.string(), written_by, format ? std::to_string(*format) : "?", version, journal_format));
     }
     if (written_by != version) {
         other_version_ = written_by;
@@ -148,7 +148,7 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
         if (!path) return wrong(1, "'installed' must be a list of folders");
         installed_.emplace_back(std::move(*path));
     }
-    // A journal need not have them: none were given.
+    // Without these fields, no values were given.
     values_.file = field<std::string>(json, "params").value_or("");
     if (const auto set = json.find("set"); set != json.end()) {
         if (!set->is_array()) return wrong(1, "'set' must be a list of strings");
@@ -177,7 +177,8 @@ Expected<void> Replay::read_entry(const std::string& line, int number) {
     if (!entries_.empty() && entries_.back().name != Describe<Seek>::name) {
         const ActTime& before = entries_.back().when;
         if (std::pair(when->start, when->tick) < std::pair(before.start, before.tick))
-            return wrong(number, fmt::format("{} comes after {}", text_of(*when), text_of(before)));
+            return wrong(number,
+                         fmt::format("'at' must not go back, but {} comes after {}", text_of(*when), text_of(before)));
     }
     if (json.contains("do")) {
         const auto name = field<std::string>(json, "do");
@@ -296,8 +297,8 @@ Expected<bool> Replay::before_tick(RunningSystem& live) {
         const auto due = std::pair(entry.when.start, entry.when.tick);
         if (entry.when.start == now.start && due > here) return true;
         if (due != here) {
-            return wrong(entry.line,
-                         fmt::format("{} is never reached: the run is at {}", text_of(entry.when), text_of(now)));
+            return wrong(entry.line, fmt::format("this entry is for {}, which the run never reaches: it is at {}",
+                                                 text_of(entry.when), text_of(now)));
         }
         if (entry.kind == Entry::Kind::act) {
             if (auto done = perform(live, entry); !done) return Unexpected(done.error());

@@ -20,8 +20,9 @@ namespace nezumi {
 
 class Replay {
 public:
-    /// Reads a journal, also of another version: then the run may differ, and each error names both. An error gives the
-    /// file, the line and the problem, or why it can't be replayed here. An incomplete last line is ignored.
+    /// Reads a journal, also of another version of nezumi: then the run may differ, and each error names both versions.
+    /// The error has the file, the line and the problem, or the reason why the journal can't be replayed. An incomplete
+    /// last line is ignored.
     static Expected<std::unique_ptr<Replay>> read(const std::filesystem::path& file, const std::string& version);
     /// Reads a journal from its text; `file` is the name for errors.
     static Expected<std::unique_ptr<Replay>> of_text(std::string_view text, const std::filesystem::path& file,
@@ -35,30 +36,31 @@ public:
     Replay(const Replay&) = delete;
     Replay& operator=(const Replay&) = delete;
 
-    /// Fails if this is not a journal of that system file. Files are compared by name, because they may be elsewhere
-    /// now.
+    /// An error if this is not a journal of that system file. Only the names of the files are compared, because their
+    /// folders may have changed.
     Expected<void> check_system(const std::filesystem::path& file) const;
-    /// Builds the recorded system from the journal only, with these factories of worlds and components, and this log.
+    /// Builds the recorded system only from the journal, with the factories of worlds and components and the log of
+    /// `options`.
     Expected<std::unique_ptr<RunningSystem>> load(LiveOptions options);
-    /// Reads the recorded system's description from the journal only.
+    /// Reads the description of the recorded system only from the journal.
     Expected<SystemSpec> spec(const LiveOptions& options);
     /// The seed of the recorded run.
     std::uint64_t seed_of(const SystemSpec& spec) const { return seed_wins_ ? seed_ : spec.seed.value_or(seed_); }
-    /// The acts that changed this component, each with the tick before which it was; up to the first restart or seek.
+    /// The acts that changed this component, each with the tick before which it came, up to the first restart or seek.
     Expected<std::vector<std::pair<std::int64_t, Act>>> acts_on(const std::string& component) const;
     /// The tick before which the run ended, and its robots began to brake; nothing if its journal is incomplete.
     std::optional<std::int64_t> end_tick() const;
-    /// Whether robots were real.
+    /// Whether the run was on hardware.
     bool is_of_hardware() const { return is_of_hardware_; }
     /// Performs the acts before the next tick, and compares hashes. Returns true if there is more, so that a tick may
     /// follow. An error gives the line where the run differs from the journal.
     Expected<bool> before_tick(RunningSystem& live);
 
-    /// Whether everything has been performed, and the run is at its end.
+    /// Whether all entries have been performed, so that the run is at its end.
     bool is_over() const;
     /// The number of ticks of the recorded run, over all its starts.
     std::int64_t ticks() const;
-    /// The version of nezumi that wrote it; "": this one.
+    /// The version of nezumi that wrote the journal; "": this version.
     const std::string& other_version() const { return other_version_; }
     /// "; the journal is of nezumi 1.2, this is 1.3", or "".
     std::string written_by() const;
@@ -102,7 +104,7 @@ private:
         std::string component;
         std::string lost;
     };
-    std::vector<Ended> ended_;  // calls ended by the clock
+    std::vector<Ended> ended_;  // calls that ran out of time
     std::optional<RunEnd> end_;
     std::string end_message_;
     std::optional<std::uint64_t> hash_;

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view base64_key = "base64:";
 
-// The type that has this name in JSON; nullptr where there is none.
+// The type with this name in JSON; nullptr if there is none.
 const Type* find_type(const std::string& name, const OtherForms& others) {
     for (const PlainType& each : plain_types()) {
         if (each.name == name) return each.type;
@@ -36,7 +36,7 @@ const Type* find_type(const std::string& name, const OtherForms& others) {
 
 Json write_any(const Value& value, const OtherForms& others) {
     if (const auto* table = value.get_if<TableRef>()) return Json{{"table", table->index}};
-    // Always as a number, of any size: only this shows here that it is not one of the strings.
+    // Always a number, even a large one: a string would be read back as a text.
     if (const auto* whole = value.get_if<std::int64_t>()) return *whole;
     for (const PlainType& each : plain_types()) {
         if (each.type != &value.type()) continue;

@@ -11,10 +11,10 @@
 
 namespace nezumi {
 
-/// A text as a JSON string. One with invalid UTF-8 is written as its bytes: { "base64": "..." }.
+/// A text as a JSON string. A text with invalid UTF-8 is written as its bytes: { "base64": "..." }.
 nlohmann::ordered_json text_to_json(const std::string& text);
 Expected<std::string> text_from_json(const nlohmann::ordered_json& json);
-/// A text as the name of a member. One with invalid UTF-8 is written as "base64:...".
+/// A text as a member name of a JSON object. A text with invalid UTF-8 is written as "base64:...".
 std::string text_to_key(const std::string& text);
 Expected<std::string> text_from_key(const std::string& key);
 
@@ -31,13 +31,13 @@ struct OtherForms {
     std::function<const MessageType*(const std::string& name)> message{};
 };
 
-/// A value by its type's table: a structure as its fields, without those that hold nothing. A value of any type within
-/// it is a boolean, a number or a text as they are, null for nothing, { "table": 0 } for a table of plain data,
-/// else an object of its type's name and itself: { "numbers": [...] }, { "TimedVelocity2D": {...} }.
+/// Writes a value by its type: a structure as an object of its fields, without empty optional ones. A member of type
+/// `any` is a plain boolean, number or text, null for nothing, { "table": 0 } for a table of plain data; all others are
+/// an object with the name of the type: { "numbers": [...] }, { "TimedVelocity2D": {...} }.
 nlohmann::ordered_json value_to_json(const ValueView& value, const OtherForms& others = {});
-/// As `read_number`.
+/// Reads into `out`. Returns the error, or "".
 std::string read_value(const nlohmann::ordered_json& json, const ValuePlace& out, const OtherForms& others = {});
-/// Reads plain data. Like every value that was read, it needs no further check.
+/// Reads plain data and checks it. Returns the error, or "".
 std::string read_plain(const nlohmann::ordered_json& json, PlainData& out);
 
 /// "expected a string, got 5": a long value is shortened.

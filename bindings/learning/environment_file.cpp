@@ -13,17 +13,17 @@
 namespace nezumi {
 namespace {
 
-constexpr char functions_key = 0;  // of the registry: the table of functions
+constexpr char functions_key = 0;  // its address is the key of the table of functions in the registry
 
 constexpr std::int64_t most_ticks = 1'000'000;
 constexpr std::int64_t most_steps = 1'000'000'000;
-constexpr std::int64_t most_values = 1'000'000;  // of a part
+constexpr std::int64_t most_values = 1'000'000;  // most values of one part of a space
 
 const EnvironmentFunctionInfo& info(EnvironmentFunction function) {
     return environment_functions[static_cast<std::size_t>(function)];
 }
 
-// A text is a part of one number without limits.
+// Reads a part of a space. A plain text is the name of one number without limits.
 void read_part(Fields fields, const Value& given, std::vector<SpacePart>& parts) {
     FieldCheck& check = fields.check();
     const auto wrong = [&](std::string_view text) { check.wrong_at(fields.path(), text); };
@@ -33,7 +33,7 @@ void read_part(Fields fields, const Value& given, std::vector<SpacePart>& parts)
     } else {
         const std::vector<Value>& elements = fields.elements();
         const auto* name = elements.size() == 1 ? elements[0].get_if<std::string>() : nullptr;
-        if (name == nullptr) return wrong("expected numbers as { \"speed\", min = 0, max = 0.3 }");
+        if (name == nullptr) return wrong("expected a table as in { \"speed\", min = 0, max = 0.3 }");
         part.name = *name;
         std::int64_t count = 1;
         fields.whole("count", count, 1, most_values);
@@ -125,7 +125,7 @@ int EnvironmentFile::word(lua_State* lua) {
     auto& file = *static_cast<EnvironmentFile*>(lua_touserdata(lua, lua_upvalueindex(1)));
     luaL_checkstack(lua, 20, nullptr);
     bridge(lua, [&] { return file.read_call(lua); });
-    // The functions, which `read_call` has checked.
+    // Stores the functions of the call, which `read_call` has checked.
     lua_rawgetp(lua, LUA_REGISTRYINDEX, &functions_key);
     for (std::size_t i = 0; i < environment_functions.size(); ++i) {
         if (!file.given_[i]) continue;

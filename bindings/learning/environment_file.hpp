@@ -34,20 +34,20 @@ std::size_t width_of(const std::vector<SpacePart>& parts);
 
 struct EnvironmentSpec {
     std::string system;      ///< as the file names it
-    std::int64_t ticks = 1;  ///< of a step
+    std::int64_t ticks = 1;  ///< ticks of a step
     std::int64_t limit = 0;  ///< steps after which an episode is truncated; 0: no limit
     std::vector<SpacePart> action, observation;
-    Place place;  ///< of the call
+    Place place;  ///< of the call `environment { ... }`
 };
 
 /// The functions of an environment, in Lua.
 enum class EnvironmentFunction : unsigned char {
-    start,       ///< (): a table of values as of `--set`, before the system is built
-    reset,       ///< (world): after the start, before the first tick
-    act,         ///< (world, action): before the ticks of a step
-    observe,     ///< (world): the numbers of the observation, also in nested lists
-    reward,      ///< (world, action): a number
-    terminated,  ///< (world): whether the episode has ended
+    start,       ///< (): returns a table of values, as for `--set`; called before the system is built
+    reset,       ///< (world): called after the start, before the first tick
+    act,         ///< (world, action): called before the ticks of a step
+    observe,     ///< (world): returns the numbers of the observation, also in nested lists
+    reward,      ///< (world, action): returns a number
+    terminated,  ///< (world): returns whether the episode has ended
 };
 
 struct EnvironmentFunctionInfo {
@@ -64,8 +64,8 @@ inline constexpr std::array<EnvironmentFunctionInfo, 6> environment_functions{{{
 
 class EnvironmentFile {
 public:
-    /// Runs the text, which only describes the environment. `project` must outlive it. `seed` is that of `math.random`;
-    /// `print` gets the output, a line at a time. `errors` gets all mistakes; may be null.
+    /// Runs the file, which only describes the environment. `project` must outlive the result. `seed` is for
+    /// `math.random`; `print` gets the output, a line at a time. `errors` gets all mistakes; may be null.
     static Expected<std::unique_ptr<EnvironmentFile>> read(const SourceText& source, const Project& project,
                                                            std::uint64_t seed,
                                                            std::function<void(std::string_view)> print,
@@ -73,12 +73,12 @@ public:
 
     const EnvironmentSpec& spec() const { return spec_; }
     LuaState& state() const { return LuaState::of(file_->lua()); }
-    /// The file of its system. The error has the location of the call.
+    /// Finds the file of the environment's system. An error has the location of the call.
     Expected<std::filesystem::path> find_system(const Project& project) const;
     bool has(EnvironmentFunction function) const;
-    /// Pushes the function, which exists. Raises no Lua error.
+    /// Pushes the function, which must exist. Raises no Lua error.
     static void push(lua_State* lua, EnvironmentFunction function);
-    /// An error of one of the functions: "reward: ...", with its location.
+    /// The error with the name of the function before it, as in "reward: ...", and with a location.
     Error to_error(EnvironmentFunction function, const Error& error) const;
 
 private:

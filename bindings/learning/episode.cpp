@@ -1,4 +1,5 @@
-// An episode calls the functions of its own copy of the environment's file, so that nothing of an earlier one is left.
+// Each episode runs the environment's file again and calls the functions of this copy, so that it keeps nothing of an
+// earlier episode.
 #include "bindings/learning/episode.hpp"
 
 #include <fmt/format.h>
@@ -18,19 +19,19 @@
 namespace nezumi {
 namespace {
 
-// Time limit for one call of a function.
+// Time limit for one call of a Lua function [s].
 constexpr Budget call_budget{2.0};
 
-constexpr int deepest = 4;  // of lists within an observation
+constexpr int deepest = 4;  // nesting of lists in an observation, at most
 
-// Writes numbers, and lists of numbers, one after the other.
+// Writes the numbers of nested lists one after the other into an array.
 class Flattening {
 public:
     Flattening(lua_State* lua, std::span<float> out) : lua_(lua), out_(out) {}
 
     std::size_t count() const { return count_; }
 
-    // "" or what is wrong. Raises no Lua error.
+    // Adds the value at `index`. Returns "", or what is wrong. Raises no Lua error.
     std::string add(int index, int depth = 0) {
         switch (lua_type(lua_, index)) {
             case LUA_TNUMBER: return put(lua_tonumber(lua_, index));
@@ -83,7 +84,7 @@ Expected<std::unique_ptr<Episode>> Episode::begin(const EpisodePlan& plan, std::
         if (auto ok = episode->call(EnvironmentFunction::reset); !ok) return Unexpected(ok.error());
         lua_settop(episode->file_->state().lua(), 0);
     }
-    if (auto ok = episode->tick(); !ok) return Unexpected(ok.error());  // sensors have measured once
+    if (auto ok = episode->tick(); !ok) return Unexpected(ok.error());  // so that the sensors have measured once
     return episode;
 }
 
@@ -189,7 +190,7 @@ Expected<void> Episode::observe(std::span<float> observation) {
     lua_settop(lua, 0);
     if (problem.empty() && numbers.count() != observation.size())
         problem =
-            fmt::format("expected {} numbers, as 'observation' says, got {}", observation.size(), numbers.count());
+            fmt::format("expected {} numbers, as 'observation' declares, got {}", observation.size(), numbers.count());
     if (!problem.empty()) return Unexpected(file_->to_error(function, Error{std::move(problem)}));
     return {};
 }

@@ -1,5 +1,5 @@
-// One episode of an environment: a system from its start, and the functions of the environment's file. Everything in it
-// follows from the files, the seed and the actions.
+// One episode of an environment: a system from its start, and the functions of the environment's file. Its results
+// depend only on the files, the seed and the actions.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@
 
 namespace nezumi {
 
-/// What all episodes have in common.
+/// The data that all episodes share.
 struct EpisodePlan {
-    SourceText source;                            ///< of the environment
+    SourceText source;                            ///< of the environment's file
     Project project;                              ///< of the environment
-    std::function<LiveOptions()> systems;         ///< makes systems
+    std::function<LiveOptions()> systems;         ///< makes the options for each system
     std::function<void(std::string_view)> print;  ///< gets what scripts print, a line at a time
 };
 
@@ -48,7 +48,7 @@ public:
     /// Writes the present observation, whose length is that of all its parts. After an error, here or in `step`, the
     /// episode can't continue.
     Expected<void> observe(std::span<float> observation);
-    /// Gives an action, runs the ticks of a step, and observes.
+    /// Passes the action to the environment, runs the ticks of a step, and observes.
     Expected<StepResult> step(std::span<const float> action, std::span<float> observation);
 
 private:
@@ -56,7 +56,7 @@ private:
     Expected<void> load(const EpisodePlan& plan, std::uint64_t seed);
     Expected<StartValues> start_values();
     Expected<void> tick();
-    /// Calls a function with the world and with the action, if it takes them. One result stays on the stack.
+    /// Calls a function with the arguments that it takes: the world and the action. Leaves one result on the stack.
     Expected<void> call(EnvironmentFunction function, std::span<const float> action = {});
     Expected<double> number(EnvironmentFunction function, std::span<const float> action);
 

@@ -18,10 +18,10 @@ struct ServedWorlds {
     std::string version{};   ///< of the program, for journals
 };
 
-/// First writes a line that describes the environment and the arrays (JSON). Then answers each line until there is
-/// none:
+/// First writes a line that describes the environment and the arrays (JSON). Then reads commands, one a line, until the
+/// input ends, and answers each:
 ///   reset SEED      begins episodes; without SEED, with the next seeds
-///   step            one step of all worlds of this process
+///   step            runs one step of all worlds of this process
 ///   reload          reads the environment's file again
 ///   save WORLD FILE writes the journal of a world's episode
 /// An answer is `{}` or `{"error":"..."}`. The result is an error if the worlds can't be made.

@@ -12,7 +12,7 @@
 namespace nezumi {
 
 SharedArrays::SharedArrays(const EnvironmentSpec& spec, std::size_t worlds) : worlds_(worlds) {
-    constexpr std::size_t line = 64;  // [bytes]: no two processes write to one line of the processor's caches
+    constexpr std::size_t line = 64;  // [bytes] of a cache line: arrays begin at one, so that they share no line
     const auto place = [&](std::string_view name, std::string_view type, std::size_t bytes, std::size_t columns) {
         const std::size_t row = bytes * (columns == 0 ? 1 : columns);
         places_.push_back({name, type, size_, row, columns});

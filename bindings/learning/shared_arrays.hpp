@@ -12,18 +12,18 @@
 
 namespace nezumi {
 
-/// An array in the memory, with the worlds as its rows.
+/// An array in the shared memory, with one row for each world.
 struct ArrayPlace {
     std::string_view name;
-    std::string_view type;    ///< of NumPy: "f4"
+    std::string_view type;    ///< the type in NumPy, as in "f4"
     std::size_t offset;       ///< [bytes], a multiple of 64
     std::size_t row;          ///< [bytes] of a world
-    std::size_t columns = 0;  ///< 0: one number a world, without a second dimension
+    std::size_t columns = 0;  ///< 0: one number for each world, so the array has one dimension
 };
 
 class SharedArrays {
 public:
-    /// Maps the memory of this descriptor, which gets the size that this number of worlds needs.
+    /// Maps the memory of this descriptor, after setting its size for this number of worlds.
     static Expected<SharedArrays> map(int descriptor, const EnvironmentSpec& spec, std::size_t worlds);
     SharedArrays(SharedArrays&& other) noexcept;
     SharedArrays& operator=(SharedArrays&&) = delete;

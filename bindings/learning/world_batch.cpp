@@ -1,4 +1,4 @@
-// Seeds, truncation and automatic resets of worlds; an episode is saved by making it again.
+// Seeds, truncation and automatic resets of worlds. To save an episode, the batch repeats it with a journal.
 #include "bindings/learning/world_batch.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace nezumi {
 namespace {
 
-// Seeds of Python, JSON and Lua keep 53 bits.
+// The seed of a world's next episode. It has 53 bits, which Python, JSON and Lua keep exactly.
 std::uint64_t seed_after(std::uint64_t seed) { return mix(seed, "the next episode") >> 11U; }
 
 // Keeps the action within the limits of its parts. An error for a value that is not a number.
@@ -114,8 +114,9 @@ Expected<void> WorldBatch::reload() {
     const EnvironmentSpec& spec = (*read)->spec();
     if (!before || !same((*before)->spec().action, spec.action) ||
         !same((*before)->spec().observation, spec.observation))
-        return failure("environment: actions and observations can't change while worlds use them: begin again",
-                       spec.place);
+        return failure(
+            "environment: actions and observations can't change while worlds use them: make the environment again",
+            spec.place);
     plan_ = std::move(next);
     return {};
 }
@@ -123,7 +124,7 @@ Expected<void> WorldBatch::reload() {
 Expected<void> WorldBatch::save(std::size_t index, const std::filesystem::path& file,
                                 const std::string& version) const {
     if (index < first_ || index - first_ >= worlds_.size())
-        return failure(fmt::format("there is no world {} here", index));
+        return failure(fmt::format("this process has no world {}", index));
     const World& world = worlds_[index - first_];
     if (world.episode == nullptr) return failure(fmt::format("world {} has no episode yet", index));
     auto journal = Journal::create(file);

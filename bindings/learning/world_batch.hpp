@@ -20,7 +20,8 @@ public:
     /// The worlds `first` to `first + count - 1` of those in the arrays, which must outlive the batch.
     WorldBatch(EpisodePlan plan, const SharedArrays& arrays, std::size_t first, std::size_t count);
 
-    /// Begins an episode in each world: world i gets `seed + i`, or without a seed the one after its last.
+    /// Begins an episode in each world: world i gets `seed + i`; without a seed, each world gets the one after its
+    /// last.
     Expected<void> reset(std::optional<std::uint64_t> seed);
     /// Gives every world its action and runs a step. A world whose episode is over begins the next one instead, and
     /// ignores its action. The error is the first one; it says which world. That world's episode is over then.
@@ -38,7 +39,7 @@ private:
         std::uint64_t seed = 0;
         std::int64_t steps = 0;
         bool over = true;
-        std::optional<Error> error;  // that ended the episode
+        std::optional<Error> error;  // the error that ended the episode
         std::vector<float> actions;  // of all steps
     };
 

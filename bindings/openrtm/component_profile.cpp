@@ -1,4 +1,4 @@
-// The elements of all versions: 0.1 has other names for attributes that are not used here; 0.2 and 0.3 differ in none.
+// One reader for all versions: version 0.1 has other names for some attributes, but only for those that are not used.
 #include "bindings/openrtm/component_profile.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ std::string in_one_line(std::string_view text) {
     return line;
 }
 
-// "RTC::TimedLong" is "TimedLong"; types of other modules keep theirs, as "Img/CameraImage".
+// "RTC::TimedLong" becomes "TimedLong"; types of other modules keep the module: "Img/CameraImage".
 std::string message_type_in(std::string_view type) {
     if (type.starts_with("::")) type.remove_prefix(2);
     if (type.starts_with("RTC::")) type.remove_prefix(5);
@@ -61,7 +61,7 @@ private:
         if (const std::string line = in_one_line(said); !line.empty())
             profile_.remarks.push_back(fmt::format("{}: {}", what, line));
     }
-    // What RTCBuilder always writes needs no remark.
+    // Adds a remark, unless the value is `usual`, which RTCBuilder always writes.
     void remark_unless(const pugi::xml_node& node, const char* name, std::string_view usual) {
         if (const std::string_view said = attribute_of(node, name); said != usual) remark(name, said);
     }
@@ -81,7 +81,7 @@ private:
         if (!std::isfinite(profile_.rate) || profile_.rate < 0) profile_.rate = 0;
         std::string executes = text("activityType");
         if (profile_.rate > 0) executes += fmt::format("{}at {} Hz", executes.empty() ? "" : " ", profile_.rate);
-        if (!executes.empty()) remark("executes", executes + ", by the rate of the system here");
+        if (!executes.empty()) remark("executes", executes + "; nezumi uses the system's rate");
         remark_unless(info, "componentType", "STATIC");
         remark_unless(info, "componentKind", "DataFlowComponent");
         remark_unless(info, "executionType", "PeriodicExecutionContext");
@@ -143,7 +143,7 @@ private:
         profile_.ports.push_back(std::move(port));
     }
 
-    // What the document says of a port: its description, then its unit, then the rest.
+    // The documentation of a port as one text: its description, then its unit, then the rest.
     static std::string doc_of(const pugi::xml_node& port) {
         const pugi::xml_node doc = element_of(port, "Doc");
         std::string text = without_html_breaks(attribute_of(doc, "description"), " ");
@@ -173,7 +173,7 @@ private:
 
     void read_language(const pugi::xml_node& node) {
         std::string_view kind = attribute_of(node, "kind");
-        const auto own = elements_of(node);  // version 0.1 has an element called as the language
+        const auto own = elements_of(node);  // in version 0.1, the element's name is the language
         if (kind.empty() && !own.empty() && local_name(own.front().name()) != "targets")
             kind = local_name(own.front().name());
         remark("language", kind);

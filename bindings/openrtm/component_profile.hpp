@@ -1,4 +1,4 @@
-// What a component declares, as RTCBuilder keeps it in a file (RTC.xml, versions 0.1 to 0.3).
+// A component's profile: its declarations in RTCBuilder's file format (RTC.xml, versions 0.1 to 0.3).
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct ProfilePort {
     Direction direction = Direction::in;
     std::string name;
     std::string type;      ///< of its messages, without OpenRTM's module: "TimedShortSeq"; "Img/CameraImage"
-    std::string idl_file;  ///< that defines the type; may be empty
+    std::string idl_file;  ///< the IDL file that defines the type; may be empty
     std::string doc;
     std::size_t queue = 0;  ///< of an in-port: 0 for the latest message only
     std::string safe;       ///< of an out-port: its safe value in JSON; "" for none
@@ -25,11 +25,11 @@ struct ComponentProfile {
     std::string name;
     std::string doc;  ///< one line or several
     std::string version, vendor, category;
-    double rate = 0;                     ///< [Hz] of executions; 0: not said
-    std::vector<std::string> callbacks;  ///< that are implemented, in the order of the profile: "on_activated", ...
+    double rate = 0;                     ///< [Hz] of executions; 0: not given
+    std::vector<std::string> callbacks;  ///< the implemented ones, in the order of the profile: "on_activated", ...
     std::vector<ProfilePort> ports;      ///< in the order of the profile
     std::vector<ParameterSpec> parameters;
-    /// Parts without a counterpart here, one line each: "service port 'map': requires RTC::OGMapServer".
+    /// Parts of the profile that nezumi can't use, one line each: "service port 'map': requires RTC::OGMapServer".
     std::vector<std::string> remarks;
 };
 

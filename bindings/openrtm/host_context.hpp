@@ -8,7 +8,7 @@
 
 namespace nezumi::openrtm {
 
-/// "pc.host_cxt": the naming context of this computer's RTCs, as OpenRTM-aist calls it.
+/// Returns OpenRTM-aist's naming context for the RTCs of this computer: "pc.host_cxt".
 inline std::string own_context() {
     std::array<char, 256> name{};
     const bool is_known = gethostname(name.data(), name.size() - 1) == 0 && name[0] != '\0';

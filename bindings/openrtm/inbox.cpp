@@ -15,7 +15,7 @@ std::size_t bytes_of(const Arrival& arrival) {
     return sizeof(Arrival) + arrival.path.size() + arrival.from.size() + heap_bytes(arrival.value);
 }
 
-// A stop is never outdated.
+// True for a velocity that has waited too long. A stop (zero) is never outdated.
 bool is_outdated(const Arrival& arrival, Inbox::Clock::time_point now) {
     const auto* velocity = arrival.value.get_if<Velocity2D>();
     return velocity != nullptr && *velocity != Velocity2D{} && now - arrival.came > Inbox::longest_wait;
@@ -104,7 +104,7 @@ RtcAnswer Inbox::ask(const RtcRequest& request, std::chrono::milliseconds patien
     const auto was_done = [&] { return asked.state == Asked::State::done; };
     if (answered_.wait_for(lock, patience, was_done)) return asked.answer;
     if (asked.state == Asked::State::begun) {
-        answered_.wait(lock, was_done);  // it is being executed and ends soon
+        answered_.wait(lock, was_done);  // the request is being executed, and this ends soon
     } else {
         std::erase(asked_, &asked);
     }

@@ -1,4 +1,4 @@
-// The queue from CORBA's threads to the ticking thread: decoded messages for in-ports, and requests; both limited.
+// Queues from CORBA's threads to the ticking thread: decoded messages for in-ports, and requests. Both are limited.
 #pragma once
 
 #include <bit>
@@ -31,18 +31,17 @@ class Inbox {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Per in-port; above it the oldest is dropped. Of velocities only the latest waits.
+    /// Limits of waiting messages per in-port; above them the oldest is dropped. Of velocities only the latest waits.
     static constexpr std::size_t most_waiting = 64;
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
-    /// A velocity that has waited longer than this is dropped. It is also the time after which robots without a command
-    /// stop.
+    /// A velocity that has waited longer than this is dropped. Robots without a command stop after the same time.
     static constexpr std::chrono::milliseconds longest_wait{500};
 
-    /// Sets the in-ports that accept messages; they must outlive the next call. Waiting messages for others are
-    /// dropped.
+    /// Sets the in-ports that accept messages; the ports must exist until the next call. Waiting messages for other
+    /// ports are dropped.
     void open_to(const std::map<std::string, const Port*, std::less<>>& ports);
 
-    /// Decodes a message and queues it. `problem` gets the error of a malformed one.
+    /// Decodes a message and queues it. If the message is malformed, `problem` gets the error.
     PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes, std::endian order,
                   std::string& problem);
     /// Queues a zero for a velocity's in-port when the sender has disconnected.
@@ -50,9 +49,9 @@ public:
     /// Returns all waiting messages; those of each port in order of arrival.
     std::vector<Arrival> take(Clock::time_point now = Clock::now());
 
-    /// Queues a request and waits for its answer for at most `patience`. After that it is not executed.
+    /// Queues a request and waits for its answer. A request that is not begun within `patience` is not executed.
     RtcAnswer ask(const RtcRequest& request, std::chrono::milliseconds patience);
-    /// Answers all waiting requests before it returns.
+    /// Executes all waiting requests with `perform`, and answers them.
     template <class Perform>
     void answer(const Perform& perform) {
         while (Asked* asked = next_asked()) finish(*asked, perform(asked->request));
@@ -69,7 +68,7 @@ private:
         std::deque<Arrival> arrivals{};
         std::size_t bytes = 0;
     };
-    // A request on the stack of the asking thread.
+    // A waiting request. It is on the stack of the thread that called `ask`.
     struct Asked {
         const RtcRequest& request;
         enum class State { waits, begun, done } state = State::waits;

@@ -22,21 +22,21 @@ struct RtcPort {
     std::string name{};  ///< "in": its name in the RTC
     std::string type{};  ///< "TimedShortSeq"
     bool is_in = false;
-    std::string id{};  ///< of its type: "IDL:Seen/Obstacle:1.0"; "": the type is OpenRTM's own
+    std::string id{};  ///< repository id of the type: "IDL:Seen/Obstacle:1.0"; "": the type is one of OpenRTM's
     std::string type_id() const { return id.empty() ? "IDL:RTC/" + type + ":1.0" : id; }
     bool operator==(const RtcPort&) const = default;
 };
 
 /// The constant properties of a component as an RTC.
 struct RtcProfile {
-    std::string component{};  ///< its name in the system; "controller" is the RTC "controller0"
+    std::string component{};  ///< name of the component in the system; "controller" is the RTC "controller0"
     std::string type{};
     double rate = 0;  ///< [Hz] of its executions
     std::vector<RtcPort> ports{};
     bool operator==(const RtcProfile&) const = default;
 };
 
-/// Pairs of name and text, in order, as RTCs use them for properties.
+/// Properties of RTCs: pairs of name and text, in order.
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
 enum class RtcState { inactive, active, error };
@@ -61,12 +61,12 @@ struct RtcRequest {
         connect,
         disconnect,
         exit,    ///< ends the component
-        create,  ///< of ours: adds a behaviour
-        end,     ///< of ours: ends the run
-        forget,  ///< of others: removes the name of an RTC that is gone
+        create,  ///< only for this system: adds a behaviour
+        end,     ///< only for this system: ends the run
+        forget,  ///< only for other programs: removes the name of an RTC that is gone from the name service
     };
     What what = What::activate;
-    std::string component{};   ///< for `connect` of others: the connection's name
+    std::string component{};   ///< name of the component; for `connect` of others: of the connection
     std::string set{};         ///< for `use` and `set`
     Texts values{};            ///< for `set` and `create`: parameters; for `connect`: properties of the connection
     std::string from{}, to{};  ///< for `connect` and `disconnect`: two ports of ours, or two of others
@@ -83,7 +83,7 @@ enum class RtcAnswer {
 };
 enum class PutAnswer { taken, malformed, unknown };
 
-/// A requested connection: made as soon as the other RTC is there, and again after it was away.
+/// A requested connection to another program's RTC: made as soon as the RTC exists, and again after it was away.
 struct RtcLink {
     std::string path{};       ///< "controller.in"
     std::string component{};  ///< "ConsoleOut0" or "pc.host_cxt/ConsoleOut0"
@@ -111,7 +111,7 @@ public:
 
     virtual RtcSnapshot snapshot(std::string_view component) = 0;
     virtual RtcAnswer perform(const RtcRequest& request) = 0;
-    /// The behaviours of the project and the installed ones.
+    /// The behaviours that can be added: those of the project, and the installed ones.
     virtual std::vector<RtcModule> modules() = 0;
     /// Takes a message for an in-port from the connection named `from`.
     virtual PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
@@ -120,9 +120,9 @@ public:
     virtual void left(std::string_view path, std::string_view from) = 0;
     /// An RTC or a tool has made a connection.
     virtual void joined(const RtcLink& link) = 0;
-    /// A connection was ended on purpose, or the RTC of one that was `joined` is gone.
+    /// A connection was ended on purpose, or it was reported by `joined` and its RTC is gone.
     virtual void ended(const RtcLink& link) = 0;
-    /// Reports a message for people.
+    /// Writes a line to the log.
     virtual void tell(bool is_problem, std::string text) = 0;
 };
 
@@ -133,44 +133,44 @@ struct PeerSnapshot {
         active,
         error,
         created,  ///< not initialized yet
-        unknown,  ///< it has no execution context
-        silent,   ///< it does not answer
-        gone,     ///< its program has crashed, or its computer is off
-        unasked,  ///< too many others did not answer
+        unknown,  ///< the RTC has no execution context
+        silent,   ///< the RTC does not answer
+        gone,     ///< the RTC's program has crashed, or its computer is off
+        unasked,  ///< the RTC was not asked, because too many others did not answer
     };
     struct Port {
         std::string name{};  ///< "out"
         std::string type{};  ///< "TimedLong"; "" if it is not a data port
         bool is_in = false;
-        std::vector<std::string> connections{};  ///< their ids, the same at both ends
+        std::vector<std::string> connections{};  ///< ids of its connections; a connection has one id at both ports
         std::string path{};                      ///< "controller.in" if it is a port of ours
     };
     std::string name{};  ///< "pc.host_cxt/ConsoleOut0"
     bool is_ours = false;
     std::string type{};
     State state = State::unknown;
-    bool is_stopped = false;  ///< its execution context does not run: the state stays as it is
+    bool is_stopped = false;  ///< its execution context does not run, so the state does not change
     std::vector<Port> ports{};
     std::string set{};                                  ///< the active configuration set; "" if none
-    std::vector<std::pair<std::string, Texts>> sets{};  ///< empty in a list that is not whole
+    std::vector<std::pair<std::string, Texts>> sets{};  ///< empty if all RTCs were asked without `is_whole`
 };
 
 /// A question about all RTCs or one of them, or a request to one.
 struct PeerQuestion {
-    std::string name{};                   ///< as in connections; "": all of them
-    std::optional<RtcRequest> request{};  ///< the request, without its `component`; "" is the active set
-    bool is_whole = false;                ///< of all: with the configuration of each, and what is ours is marked
+    std::string name{};                   ///< of the RTC, as in connections; "": all RTCs
+    std::optional<RtcRequest> request{};  ///< without its `component`; if its `set` is "", the active set is meant
+    bool is_whole = false;                ///< if all are asked: also for the configuration of each
 };
 
 struct PeerAnswer {
     std::string problem{};             ///< why it could not be done; "" on success
-    std::string missing{};             ///< the unknown name,
-    std::vector<std::string> known{};  ///< among these
-    bool was_so = false;               ///< nothing had to be done
+    std::string missing{};             ///< the name that was not found
+    std::vector<std::string> known{};  ///< the names that exist instead
+    bool was_so = false;               ///< the requested state existed already
     std::vector<PeerSnapshot> peers{};
 };
 
-/// Takes an answer. Called once for each question, in a thread of CORBA's side or of the asker.
+/// Takes an answer. Called once for each question, by the thread that asked the question or by a thread of the ORB.
 using TakeAnswer = std::function<void(const PeerQuestion& question, PeerAnswer answer)>;
 
 /// The byte orders that connections of an out-port use.
@@ -190,11 +190,11 @@ public:
     /// Replaces the connections between our RTCs.
     virtual void show_inside(std::vector<RtcInside> connections) = 0;
     virtual WantedOrders wanted(std::string_view path) = 0;
-    /// Asks RTCs of other programs on a separate thread. Every question is answered, at the latest when the ORB ends.
+    /// Asks RTCs on a separate thread. Every question is answered, at the latest when the ORB ends.
     virtual void ask(PeerQuestion question, TakeAnswer take) = 0;
     /// Sends a message to the connections of an out-port that use this byte order.
     virtual void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) = 0;
-    /// True if a requested connection exists, as far as known.
+    /// True if the requested connection existed when it was last checked.
     virtual bool is_made(const RtcLink& link) = 0;
 };
 
@@ -204,13 +204,13 @@ struct OrbOptions {
     bool manager = false;  ///< tools may add and remove behaviours, and end the run
 };
 
-/// Starts. `site` must outlive it. An error says in one line what to install.
+/// Starts the ORB. `site` must outlive it. An error says in one line what to install.
 Expected<std::unique_ptr<Orb>> open_orb(const OrbOptions& options, RtcSite& site);
 
-// The interface between the program and its module. Both are built together.
+// The interface between the program and its module, which are always built together.
 inline constexpr const char* orb_module = "nezumi_orb.so";
 inline constexpr const char* open_in_module = "nezumi_open_orb";
-/// The module's only function. Returns CORBA's side, or nullptr with the `problem`. Never throws.
+/// The only function that the module exports. Returns the ORB, or sets `problem` and returns nullptr. Never throws.
 using OpenInModule = Orb*(const OrbOptions& options, RtcSite& site, std::string& problem);
 
 }  // namespace nezumi::openrtm

@@ -1,4 +1,4 @@
-// No component is exported, so CORBA's threads have nothing to ask.
+// The functions for CORBA's threads are empty, because no component is exported.
 #include "bindings/openrtm/peer_orb.hpp"
 
 #include <future>

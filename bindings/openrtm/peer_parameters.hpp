@@ -11,12 +11,13 @@
 namespace nezumi::openrtm {
 
 struct PeerParameter {
-    ParameterSpec spec{};  ///< its `initial` is of the parameter's type
-    Value value{};         ///< in the set in use
+    ParameterSpec spec{};  ///< `initial` has the parameter's type
+    Value value{};         ///< the value in the active configuration set
 };
 
-/// The parameters of the set in use. A widget or a bound that is not understood is left out. Without a type, a number
-/// is only what has a slider or a spin button; everything else is a text. A value that does not fit its type is a text.
+/// The parameters of the active configuration set. Unknown widgets and bounds are left out. If the RTC gives no type,
+/// parameters with a slider or a spin button are numbers, all others strings. A value that does not fit the type is a
+/// string.
 std::vector<PeerParameter> parameters_of(const PeerSnapshot& peer);
 
 }  // namespace nezumi::openrtm

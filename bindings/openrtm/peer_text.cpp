@@ -31,7 +31,7 @@ std::string_view to_text(PeerSnapshot::State state) {
 
 bool answers(const PeerSnapshot& peer) { return peer.state < PeerSnapshot::State::silent; }
 
-// Names chosen by others must not look like a line of ours.
+// Makes a text fit on one line: a name that another program has chosen must not look like a further line.
 std::string one_line(std::string_view text) {
     std::string line = visible(text);
     std::replace(line.begin(), line.end(), '\n', ' ');

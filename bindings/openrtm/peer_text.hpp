@@ -1,4 +1,4 @@
-// Messages to people about other programs' RTCs.
+// Texts for the console about RTCs of other programs.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace nezumi::openrtm {
 
-/// Returns a list of RTCs, the whole of one RTC, or the result of a request, over several lines. An error gives the
-/// reason, with the most similar name.
+/// Describes an answer in one or more lines: a list of RTCs, one RTC with its details, or the result of a request. An
+/// error gives the reason, with the most similar name.
 Expected<std::string> told_of_peers(const PeerQuestion& question, const PeerAnswer& answer);
 
 }  // namespace nezumi::openrtm

@@ -14,7 +14,7 @@ namespace {
 
 using PageJson = nlohmann::ordered_json;
 
-// Others are not trusted: what is shown of them at most.
+// Limits of what the page shows, because other programs are not trusted.
 constexpr std::size_t most_peers = 200;
 constexpr std::size_t most_ports = 100;
 constexpr std::size_t most_ends = 32;  // of one connection
@@ -33,7 +33,7 @@ std::string_view way_of(const PeerSnapshot::Port& port) {
     return port.type.empty() ? "service" : port.is_in ? "in" : "out";
 }
 
-// "ConsoleOut0" of this computer's, the whole name of others.
+// "ConsoleOut0" for an RTC of this computer; the whole name for others.
 std::string_view short_name_in(const PeerSnapshot& peer, std::string_view context) {
     const std::string_view name = peer.name;
     const bool is_here =

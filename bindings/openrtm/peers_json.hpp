@@ -8,9 +8,9 @@
 
 namespace nezumi::openrtm {
 
-/// An object with `is` "rtcs", all other programs' `rtcs`, the `connections` of theirs, and our `ports` as others know
-/// them: { "controller.in": "TimedShortSeq" }; or with the `problem`. `context` is this computer's, "pc.host_cxt": the
-/// RTCs in it have short names, as in system files: "rtm:ConsoleOut0".
+/// Returns an object with `is` "rtcs"; `rtcs`: the RTCs of other programs; `connections`: those with ports of these
+/// RTCs; `ports`: our exported ports, { "controller.in": "TimedShortSeq" }; or, after an error, the `problem`. RTCs in
+/// `context`, that of this computer ("pc.host_cxt"), have short names, as in system files: "rtm:ConsoleOut0".
 std::string peers_to_json(const PeerAnswer& answer, std::string_view context);
 
 }  // namespace nezumi::openrtm

@@ -1,4 +1,4 @@
-// The forms of a constraint: a condition, several of them joined by And or Or, or one for each element or name.
+// A constraint is one condition, several conditions joined by And or Or, or one condition for each element or name.
 #include "bindings/openrtm/profile_constraint.hpp"
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ private:
         }
     }
 
-    // Equal to one of several values.
+    // Reads conditions joined by Or: the value equals one of several choices.
     void read_choices(const pugi::xml_node& any) {
         ConstraintReader each(is_integer_);
         for (const pugi::xml_node& constraint : elements_of(any, "Constraint")) each.read(constraint);
@@ -80,7 +80,7 @@ private:
         std::move(read.remarks.begin(), read.remarks.end(), std::back_inserter(result_.remarks));
     }
 
-    // A constraint for each element of an array: here they have one in common.
+    // Reads a constraint for each element of an array. nezumi has one constraint for all, so they must be equal.
     void read_elements(const pugi::xml_node& list) {
         std::optional<ProfileConstraint> common;
         for (const pugi::xml_node& constraint : elements_of(list, "Constraint")) {

@@ -6,16 +6,16 @@
 
 namespace nezumi::openrtm {
 
-// Properties of ports that OpenRTM has no word for.
+// Names of port properties that OpenRTM does not define.
 inline constexpr const char* queue_property = "nezumi.queue";
 inline constexpr const char* safe_property = "nezumi.safe";
 
-/// A callback, with its name here where there is one.
+/// A callback of OpenRTM, and its name in nezumi; "" if nezumi does not have it.
 struct ProfileCallback {
     const char* element;
     std::string_view name = "";
 };
-/// All of them, in the order of a profile.
+/// All callbacks, in the order of a profile.
 inline constexpr std::array<ProfileCallback, 14> known_callbacks{{{"OnInitialize"},
                                                                   {"OnFinalize"},
                                                                   {"OnStartup"},

@@ -1,5 +1,5 @@
-// In a profile of OpenRTM, defaults are texts, and the names of types come from several languages. What OpenRTM has no
-// word for is a property "nezumi....".
+// In a profile of OpenRTM, defaults are texts, and type names come from several programming languages. Properties with
+// names "nezumi...." hold what OpenRTM does not define.
 #include "bindings/openrtm/profile_parameter.hpp"
 
 #include <fmt/format.h>
@@ -55,7 +55,7 @@ NamedType named_type(std::string_view given) {
     return type;
 }
 
-// A value of this type; nothing for a type of no language that RTCBuilder writes.
+// A value of this type; nothing if RTCBuilder has such a type in none of its languages.
 std::optional<Value> value_like(const NamedType& type) {
     const std::string_view name = type.single;
     constexpr std::array<std::string_view, 4> texts{"string", "str", "char", "wstring"};
@@ -71,7 +71,7 @@ std::optional<Value> value_like(const NamedType& type) {
     return std::nullopt;
 }
 
-// As people write numbers in several languages: " +1.5f", "0x6A".
+// Reads a number in the notation of any of these languages: " +1.5f", "0x6A".
 std::optional<double> foreign_number_in(std::string_view text) {
     text = trimmed(text);
     const bool is_negative = text.starts_with('-');
@@ -93,7 +93,7 @@ std::optional<double> foreign_number_in(std::string_view text) {
     return is_negative ? -value : value;
 }
 
-// One value of a parameter's type, or of its elements; nothing if the text is not such a value.
+// Reads one value of the type of `like`; nothing if the text is not such a value.
 std::optional<Value> single_in(std::string_view text, const Value& like) {
     if (like.is<std::string>()) return Value(std::string(text));
     if (auto value = from_rtc_text(std::string(text), like)) {
@@ -113,7 +113,7 @@ std::optional<Value> single_in(std::string_view text, const Value& like) {
     return Value(static_cast<std::int64_t>(*number));
 }
 
-// Without the quotes or braces that some write around a default.
+// Removes the quotes or braces around a default, which some profiles have.
 std::string_view unwrapped(std::string_view text, std::string_view pairs) {
     const std::string_view whole = trimmed(text);
     for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
@@ -123,7 +123,7 @@ std::string_view unwrapped(std::string_view text, std::string_view pairs) {
     return text;
 }
 
-// An array of what is between the commas; nothing where an element stands for no value.
+// Reads an array of elements between commas; nothing if an element is not a value.
 std::optional<Value> array_in(std::string_view text, const Value& like) {
     const Value element(like.type().single());
     std::string written;
@@ -170,7 +170,7 @@ void read_properties(const pugi::xml_node& configuration, ParameterSpec& spec) {
     if (!elements.empty() && spec.initial.is<std::vector<std::string>>()) spec.initial = Value(std::move(elements));
 }
 
-// Gives up what makes the declaration invalid: the widget, otherwise the constraint, otherwise both.
+// Removes what makes the declaration invalid: the widget; or else the bounds and choices; or else both.
 void keep_valid(ParameterSpec& spec, std::vector<std::string>& remarks) {
     const auto valid = check_declaration(spec);
     if (valid) return;

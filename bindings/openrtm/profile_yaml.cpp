@@ -1,5 +1,5 @@
-// A list of mappings means several elements with one name, a mapping one element, a scalar an attribute. "rtsExt::"
-// begins the names of extensions.
+// A mapping is an element, a list of mappings is several elements with the same name, and a scalar is an attribute.
+// Names of extensions begin with "rtsExt::".
 #include "bindings/openrtm/profile_yaml.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +68,7 @@ private:
     std::size_t values_ = 0;
 };
 
-// Elements that there is one of; all others are lists.
+// True for elements that occur only once; all others are lists.
 bool is_single(std::string_view name) {
     constexpr std::array<std::string_view, 5> single{"location", "sourceDataPort", "targetDataPort",
                                                      "sourceServicePort", "targetServicePort"};
@@ -134,7 +134,7 @@ void put(YAML::Emitter& out, const pugi::xml_node& element) {
 bool is_yaml_profile(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     const std::size_t first = text.find_first_not_of(" \t\r\n");
-    // In UTF-16, one of the first two bytes is 0, or a mark.
+    // Texts in UTF-16 count as XML: one of their first two bytes is 0 or a byte order mark.
     return first != std::string_view::npos && text[first] != '<' && text[0] != '\0' && text[0] != '\xfe' &&
            text[0] != '\xff';
 }
@@ -156,7 +156,7 @@ Expected<pugi::xml_node> open_yaml_profile(std::string_view text, const std::str
 }
 
 Expected<std::string> save_yaml_profile(const pugi::xml_document& document) {
-    // Only texts that XML can have, so that a profile can be converted.
+    // Refuses texts that XML can't hold, so that every profile can be converted to XML.
     if (auto fits = save_profile(document); !fits) return Unexpected(fits.error());
     YAML::Emitter out;
     out << YAML::BeginMap << YAML::Key << std::string(root_key) << YAML::Value;

@@ -17,7 +17,8 @@ namespace {
 
 using What = RtcRequest::What;
 
-// "localhost" and "pc.host_cxt/ConsoleIn0" of "localhost/pc.host_cxt/ConsoleIn0.rtc". Editors also begin it with "/".
+// Splits "localhost/pc.host_cxt/ConsoleIn0.rtc" into "localhost" and "pc.host_cxt/ConsoleIn0". Some editors write a "/"
+// before the path.
 std::pair<std::string, std::string> split_path(std::string_view path) {
     while (path.starts_with('/')) path.remove_prefix(1);
     const std::size_t slash = path.find('/');
@@ -58,7 +59,7 @@ private:
         return found != there_.end() ? &found->second : nullptr;
     }
 
-    // Waits until all components answer; false if one is not there without which the system does not work.
+    // Waits until all components answer. Returns false if a required component is missing.
     bool find_all() {
         std::map<const ProfiledComponent*, std::string> missing;
         bool waits = false;
@@ -101,7 +102,7 @@ private:
         return has_required;
     }
 
-    // Whether all connections between components that are there have their ports.
+    // True if the ports of all connections between the found components exist.
     bool has_all_ports() {
         bool has_all = true;
         for (const auto* connections : {&profile_.connections, &profile_.service_connections}) {
@@ -162,7 +163,7 @@ private:
             fail(fmt::format("{}: {}: {}", component.instance, what, answer.problem));
             return false;
         };
-        // The set in use comes last, because a change of values selects its set.
+        // The set to be activated comes last, because a change of values also activates the changed set.
         std::vector<const std::pair<std::string, Texts>*> sets;
         for (const auto& set : component.sets) {
             if (!set.second.empty() && !set.first.starts_with("__")) sets.push_back(&set);
@@ -190,7 +191,9 @@ private:
     void activate(const ProfiledComponent& component) {
         const PeerSnapshot* peer = find(&component);
         if (peer == nullptr) return;
-        if (unfit_.contains(&component)) return fail("not activated: " + component.instance + ": see above");
+        if (unfit_.contains(&component))
+            return fail("not activated: " + component.instance +
+                        ": a connection or its configuration was refused, see above");
         if (peer->state == PeerSnapshot::State::error) return;  // reported
         if (peer->state == PeerSnapshot::State::active) return say("active already: " + component.instance);
         const PeerAnswer answer = host_.ask({.name = peer->name, .request = RtcRequest{.what = What::activate}});
@@ -201,7 +204,7 @@ private:
     const SystemProfile& profile_;
     const RestoreHost& host_;
     std::map<const ProfiledComponent*, PeerSnapshot> there_;
-    std::set<const ProfiledComponent*> unfit_;  // not connected or configured as they should be
+    std::set<const ProfiledComponent*> unfit_;  // components with a refused connection or configuration
     bool is_whole_ = true;
 };
 

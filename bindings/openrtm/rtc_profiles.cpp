@@ -1,4 +1,4 @@
-// Sets, widgets and bounds have the names and the form that OpenRTM-aist's tools know.
+// Sets, widgets and bounds have the names and the form that OpenRTM-aist's tools use.
 #include "bindings/openrtm/rtc_profiles.hpp"
 
 #include <fmt/format.h>
@@ -88,7 +88,7 @@ std::string constraint_of(const ParameterSpec& spec) {
                        spec.max ? fmt::format("<={}", *spec.max) : "");
 }
 
-// The values that parameters would have with a set; "" is what holds without any.
+// The values that parameters have when this set is used; "" means no set.
 Texts values_of(const Component& component, const std::string& set) {
     const auto values = component.sets.find(set);
     Texts texts;

@@ -1,4 +1,4 @@
-// A system's components as RTCs see them: ports, parameters as texts, states.
+// Describes a system's components as RTCs: ports, parameters as texts, states.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,25 @@
 
 namespace nezumi::openrtm {
 
-/// The components that a system exports. Ports of types that OpenRTM-aist does not know are left out. An error where
-/// `rename` names a port that is not there, or gives two ports one name.
+/// The components that a system exports. Ports whose type has no name in OpenRTM-aist are left out. An error if
+/// `rename` names a port that does not exist, or gives two ports the same name.
 Expected<std::vector<RtcProfile>> profiles_of(const System& system, const RtmSpec& rtm);
 
-/// The connections to other programs' RTCs. An error where a port is not there, leads the wrong way, or is of a type
+/// The connections to other programs' RTCs. An error if a port does not exist, has the wrong direction, or has a type
 /// that can't be exported.
 Expected<std::vector<RtcLink>> links_of(const System& system, const std::vector<ConnectionSpec>& connections);
 
-/// State and parameters, as they are now.
+/// The present state and parameters of a component.
 RtcSnapshot look_at(const Component& component);
 
-/// A parameter's type as OpenRTM's tools know it: "double", "vector<long>".
+/// The name of a parameter's type in OpenRTM's tools: "double", "vector<long>".
 std::string rtc_type_of(const Value& value);
-/// Its widget likewise: "slider.0.01", "radio", ...; "" where the tool may choose.
+/// The name of a parameter's widget in OpenRTM's tools: "slider.0.01", "radio", ...; "" if the tool may choose.
 std::string rtc_widget_of(const ParameterSpec& spec);
 
-/// A parameter's value as a configuration set has it: "0.1", "true", "1,2,3", a text as it is.
+/// Converts a parameter's value to the text in a configuration set: "0.1", "true", "1,2,3"; strings are unchanged.
 std::string to_rtc_text(const ValueView& value);
-/// The value of a text, of the type of `like`; nothing if the text is not such a value.
+/// Converts a text to a value of the type of `like`; nothing if the text is not such a value.
 std::optional<Value> from_rtc_text(const std::string& text, const Value& like);
 
 }  // namespace nezumi::openrtm

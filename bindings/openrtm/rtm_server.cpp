@@ -1,4 +1,4 @@
-// Acts of RTCs are performed like all others; the error of one is reported once.
+// Acts of RTCs are performed like those of users; a repeated error is reported once.
 #include "bindings/openrtm/rtm_server.hpp"
 
 #include <fmt/format.h>
@@ -197,13 +197,13 @@ void RtmServer::serve() {
     inbox_.answer([&](const RtcRequest& request) {
         acted = true;
         const RtcAnswer answer = perform_now(request);
-        take_snapshots();  // so that the next question sees the result
+        take_snapshots();  // the next question must see the result of this request
         return answer;
     });
     if (!acted && std::chrono::steady_clock::now() - taken_at_ >= snapshot_period) take_snapshots();
 }
 
-// A connection made by a tool is one of the system from now on, as after connect in a console.
+// Adds connections that a tool has made to the system, as `connect` in a console does.
 void RtmServer::take_up(const std::vector<RtcLink>& joined) {
     for (const RtcLink& link : joined) {
         const auto port = host_.system().port(link.path);
@@ -211,14 +211,17 @@ void RtmServer::take_up(const std::vector<RtcLink>& joined) {
         const ConnectionSpec made = connection_of(link, (*port)->direction() == Direction::in);
         if (contains(wanted_, made)) continue;
         const auto connected = act(Connect{made.from, made.to});
-        host_.say(!connected, connected ? fmt::format("connected by an RTC or a tool: {} to {}", made.from, made.to)
-                                        : fmt::format("an RTC or a tool has connected {} to {}, which is not shown: {}",
-                                                      shown(made.from), shown(made.to), connected.error().message));
+        host_.say(
+            !connected,
+            connected
+                ? fmt::format("connected by an RTC or a tool: {} to {}", made.from, made.to)
+                : fmt::format("an RTC or a tool has connected {} to {}, but the system can't show this connection: {}",
+                              shown(made.from), shown(made.to), connected.error().message));
     }
     follow_changes();
 }
 
-// A connection removed by a tool is no longer requested, as after disconnect in a console.
+// Removes connections that a tool has ended from the system, as `disconnect` in a console does.
 void RtmServer::take_away(const std::vector<RtcLink>& ended) {
     for (const RtcLink& link : ended) {
         const auto wanted = std::find_if(wanted_.begin(), wanted_.end(), [&](const ConnectionSpec& each) {
@@ -261,7 +264,7 @@ RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
     const Component* component = host_.system().find(request.component);
     if (component == nullptr) return RtcAnswer::unknown;
     switch (request.what) {
-        // As the standard has it: what is so already can't be made so.
+        // As the standard requires: activating an active component is an error, and so on.
         case RtcRequest::What::activate:
             if (component->state() == LifeState::active) return RtcAnswer::refused;
             return done(Activate{request.component});
@@ -284,7 +287,7 @@ RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
     return RtcAnswer::refused;
 }
 
-// All values or none. The values of an inactive set are those of the file.
+// Sets all values or none. Refuses an inactive set: its values are those of the file.
 RtcAnswer RtmServer::set_values(const Component& component, const RtcRequest& request) {
     if (request.set != set_in_use(component)) return RtcAnswer::refused;
     std::vector<SetParameter> acts;

@@ -1,5 +1,5 @@
-// A running system among RTCs: their messages and requests are processed between two ticks, and ports' messages are
-// sent to them.
+// Exports a running system to RTCs: processes their messages and requests between two ticks, and sends them the
+// messages of ports.
 #pragma once
 
 #include <chrono>
@@ -26,7 +26,7 @@
 
 namespace nezumi::openrtm {
 
-/// The system over its restarts. All functions are called by the ticking thread.
+/// The running system, also after restarts. All functions are called by the ticking thread, unless noted.
 struct RtmHost {
     std::function<const System&()> system;
     std::function<const SystemSpec&()> spec;
@@ -44,14 +44,14 @@ struct RtmHost {
     std::function<std::vector<RtcModule>()> modules{};
     /// Ends the run.
     std::function<void()> end{};
-    /// [s] since 1970: the stamps of real robots.
+    /// [s] since 1970: the time for stamps of messages of real robots.
     std::function<double()> wall_clock = time_of_day;
 };
 
-/// Except for the functions of `RtcSite`, it must be called from the ticking thread.
+/// All functions must be called from the ticking thread, except for those of `RtcSite`.
 class RtmServer final : public RtcSite {
 public:
-    /// The longest time that a request of an RTC waits.
+    /// The longest time that a request of an RTC waits for a tick.
     static constexpr std::chrono::milliseconds patience{1000};
     /// The period at which states and parameters are updated for RTCs.
     static constexpr std::chrono::milliseconds snapshot_period{100};
@@ -71,10 +71,10 @@ public:
     void after_tick();
     /// Processes requests of RTCs and writes log lines, also without ticks.
     void serve();
-    /// Asks about RTCs of other programs, or makes a request to one; the answer is text for people. Does not wait. The
-    /// end of the server answers open questions.
+    /// Asks about RTCs of other programs, or sends a request to one. Does not wait. The answer is a text for the
+    /// console. Open questions are answered at the latest when the server ends.
     std::future<Expected<std::string>> ask(PeerQuestion question);
-    /// Asks about all RTCs; the answer is JSON for the page. As `ask` otherwise.
+    /// Like `ask` about all RTCs, but the answer is JSON for the page.
     std::future<std::string> look();
 
     std::uint64_t malformed() { return inbox_.malformed(); }

@@ -66,7 +66,7 @@ std::string adopt_interface(std::string& text) {
         if (dot != std::string_view::npos) rest = rest.substr(dot + 1);
         ++numbers;
     }
-    return fits ? "" : fmt::format("expected an address as 192.168.1.10, got '{}'", shown(text));
+    return fits ? "" : fmt::format("expected an address such as 192.168.1.10, got '{}'", shown(text));
 }
 
 }  // namespace nezumi::openrtm

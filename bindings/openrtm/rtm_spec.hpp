@@ -1,4 +1,4 @@
-// OpenRTM in a system file: the exported components, and the connections to RTCs.
+// Settings of OpenRTM in a system file: the exported components, and the ports of RTCs in connections.
 #pragma once
 
 #include <string>
@@ -30,9 +30,9 @@ struct RtmPath {
     bool operator==(const RtmPath&) const = default;
 };
 
-/// Whether an end of a connection is such a port.
+/// True if an end of a connection is a port of another program's RTC.
 bool is_rtm_path(std::string_view end);
-/// Parses such an end. The error says what was expected.
+/// Parses the name of such a port. The error says what was expected.
 Expected<RtmPath> rtm_path(std::string_view end);
 
 /// Converts "localhost" to "localhost:2809"; returns the error, or "".

@@ -35,8 +35,8 @@ Expected<void> read_rtm_message(std::span<const std::uint8_t> bytes, const Messa
 
 std::string needs_export(std::string_view end, std::string_view component) {
     return fmt::format(
-        "{} is a port of another program, which sees only what is exported: write rtm {{ export = {{ \"{}\" }} }}", end,
-        component);
+        "{} is a port of another program, which sees only exported components: write rtm {{ export = {{ \"{}\" }} }}",
+        end, component);
 }
 
 Expected<RtmEnds> rtm_ends(const System& system, const ConnectionSpec& connection) {

@@ -1,4 +1,4 @@
-// Which connections there can be between ports of a system and other programs' RTCs.
+// Rules for connections between ports of a system and ports of other programs' RTCs.
 #pragma once
 
 #include <bit>
@@ -14,18 +14,18 @@
 
 namespace nezumi::openrtm {
 
-/// The repository id by which OpenRTM-aist knows a message type: "IDL:RTC/TimedShortSeq:1.0", or what the file that
-/// defines it says. "" for none: what was added to OpenRTM's own types, and definitions without a name there.
+/// The repository id of a message type in OpenRTM-aist: "IDL:RTC/TimedShortSeq:1.0", or the id given in the file that
+/// defines the type. "" if there is none: for nezumi's own types, and for files that give no id.
 std::string rtm_type_id(const MessageType& type);
 
-/// Writes a message as RTCs exchange it: with its stamp [s], if the type has one there.
+/// Encodes a message for RTCs: with its stamp [s], if the type has a stamp in OpenRTM.
 void write_rtm_message(Octets& out, const MessageType& type, const ValueView& data, double tm, std::endian order);
 /// Reads a message in this format into `data`, a value of the type's payload.
 Expected<void> read_rtm_message(std::span<const std::uint8_t> bytes, const MessageType& type, const ValuePlace& data,
                                 std::endian order);
 
-/// The error if a component's port can't be connected to `end`, a port of another program, because the component is not
-/// exported.
+/// The error that `end`, a port of another program, can't be connected to a port of `component`, because the component
+/// is not exported.
 std::string needs_export(std::string_view end, std::string_view component);
 
 /// The two ends of a connection.

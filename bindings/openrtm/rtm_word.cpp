@@ -1,4 +1,4 @@
-// The word `rtm` of system files: reads, checks and writes it.
+// Reads, checks and writes `rtm { ... }`.
 #include "bindings/openrtm/rtm_word.hpp"
 
 #include <fmt/format.h>
@@ -18,10 +18,10 @@ namespace {
 // "name" of "name.port".
 std::string component_of(const std::string& path) { return path.substr(0, path.find('.')); }
 
-// The error of a port's other name; "" if there is none.
+// Why an entry of `rename` is invalid; "" if it is valid.
 std::string problem_of(const RtmSpec& rtm, const std::string& path, const Value& name) {
     const auto* text = name.get_if<std::string>();
-    if (text == nullptr) return fmt::format("expected a port's name there, got {}", lua_text(name));
+    if (text == nullptr) return fmt::format("expected a port's name as a string, got {}", lua_text(name));
     if (!rtm_path("rtm:x." + *text) || text->find('.') != std::string::npos || text->find('/') != std::string::npos)
         return fmt::format("'{}' is not the name of a port", shown(*text));
     const std::string component = component_of(path);

@@ -1,4 +1,4 @@
-// The word `rtm` of system files: components that are exported as RTCs, and connections of their ports.
+// `rtm` in system files: components that are exported as RTCs, and connections of their ports.
 #pragma once
 
 #include <string>
@@ -38,7 +38,7 @@ struct Describe<openrtm::RtmSpec> {
 
 namespace openrtm {
 
-/// RTCs and their tools, as those who act.
+/// The actor for acts of RTCs and OpenRTM's tools.
 inline const Actor rtm_actor{Actor::Kind::network, "rtm"};
 
 class RtmWord final : public PeerWordOf<RtmSpec> {
@@ -46,7 +46,7 @@ public:
     bool follows_components() const override { return true; }
     Expected<void> check(const SystemSpec& system) const override;
     void remove_missing(SystemSpec& system) const override;
-    /// What a tool of OpenRTM adds is exported.
+    /// Exports a component that a tool of OpenRTM has added.
     void note_added(SystemSpec& system, std::string_view component, const Actor& who) const override;
     std::string_view port_form() const override { return "rtm:NAME.port"; }
     Expected<void> check_port(std::string_view end) const override;

@@ -41,7 +41,8 @@ ProfiledEnd end_in(const pugi::xml_node& node) {
     return end;
 }
 
-// A reference to an object of a run before would confuse the ports.
+// True for properties that refer to an object of an earlier run. They are left out, because the object no longer
+// exists.
 bool is_reference(std::string_view property) { return property.ends_with("_ior") || property.ends_with("_ref"); }
 
 ProfiledConnection connection_in(const pugi::xml_node& node, std::string_view source, std::string_view target) {

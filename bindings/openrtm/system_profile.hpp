@@ -1,5 +1,5 @@
-// An RT system as RTSystemEditor keeps it in a file: components, their configuration, connections (RtsProfile, in XML
-// or YAML).
+// A system's profile: components, their configuration and connections in RTSystemEditor's file format (RtsProfile, in
+// XML or YAML).
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ namespace nezumi::openrtm {
 struct ProfiledComponent {
     std::string type;      ///< "RobotController"
     std::string instance;  ///< "RobotController0"
-    std::string set;       ///< in use: "default"; may be empty
-    double rate = 0;       ///< [Hz] of its first execution context; 0: not said
+    std::string set;       ///< the active configuration set: "default"; may be empty
+    double rate = 0;       ///< [Hz] of its first execution context; 0: not given
     std::string vendor{}, category{}, version{};
     std::string path{};                ///< in the name service: "localhost/pc.host_cxt/RobotController0.rtc"
     bool is_required = true;           ///< the system does not work without it
-    std::vector<std::string> ports{};  ///< of data, without the instance's name
+    std::vector<std::string> ports{};  ///< names of the data ports, without the instance's name
     /// Configuration sets by name, with the texts of their values by parameter.
     std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>> sets{};
 };
@@ -46,7 +46,7 @@ struct SystemProfile {
     std::vector<ProfiledComponent> components;
     std::vector<ProfiledConnection> connections;          ///< of data ports
     std::vector<ProfiledConnection> service_connections;  ///< of service ports; without types
-    std::vector<std::string> remarks;                     ///< what has no counterpart here, one line each
+    std::vector<std::string> remarks;                     ///< parts that nezumi can't use, one line each
 };
 
 /// The component at an end of a connection; nullptr if the profile has none.
@@ -58,7 +58,7 @@ enum class ProfileFormat { xml, yaml };
 /// `read_component_profile`.
 Expected<SystemProfile> read_system_profile(std::string_view text, const std::string& shown);
 
-/// A system that runs: its components as RTCs, and those of other programs to which it is connected.
+/// The profile of a running system: its components as RTCs, and the RTCs of other programs that it is connected to.
 SystemProfile profile_of_system(const System& system, const SystemSpec& spec);
 
 /// Writes a profile of version 0.2 that was changed at `date` ("2026-01-31T12:00:00", without a zone for

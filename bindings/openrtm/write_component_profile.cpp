@@ -1,4 +1,4 @@
-// Attributes stand in the order of RTCBuilder's schema.
+// Attributes are written in the order of RTCBuilder's schema.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 namespace nezumi::openrtm {
 namespace {
 
-// The reverse of how a profile's types are read: "TimedLong" is "RTC::TimedLong", "Img/CameraImage" "Img::CameraImage".
+// The IDL type, as the reader of profiles expects it: "RTC::TimedLong" for "TimedLong", "Img::CameraImage" for
+// "Img/CameraImage".
 std::string idl_type_of(const std::string& type) {
     if (type.find('/') == std::string::npos) return "RTC::" + type;
     std::string name;
@@ -41,7 +42,7 @@ void write_port(const ProfilePort& port, pugi::xml_node root) {
 }
 
 void write_basic_info(const ComponentProfile& profile, const std::string& date, pugi::xml_node root) {
-    // The first line is the description, the others are its document.
+    // The first line of `doc` is the description, the others are the documentation.
     const std::size_t line_end = std::min(profile.doc.find('\n'), profile.doc.size());
     std::string line = profile.doc.substr(0, line_end);
     std::string rest = profile.doc.substr(std::min(line_end + 1, profile.doc.size()));

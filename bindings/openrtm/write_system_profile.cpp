@@ -1,4 +1,4 @@
-// A system that runs, as the profile that RTSystemEditor and rtresurrect read.
+// Writes a running system as a profile that RTSystemEditor and rtresurrect can read.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::string server_text(const RtmSpec& rtm) {
     return first.ends_with(usual_port) ? first.substr(0, first.size() - usual_port.size()) : first;
 }
 
-// An RTC that is named without its computer is on this one, as far as is known.
+// The path in the name service. An RTC that is named without a computer is assumed to be on this one.
 std::string path_text(const std::string& server, const std::string& component) {
     const std::string context = component.find('/') == std::string::npos ? own_context() + "/" : "";
     return fmt::format("{}/{}{}.rtc", server, context, component);
@@ -48,7 +48,7 @@ ProfiledComponent profiled(const RtcProfile& profile, const Component& component
     return written;
 }
 
-// The component of another program, as far as a connection describes it.
+// The component of another program. Only its name, path and type are known, from the names in its connections.
 ProfiledComponent& other_component(SystemProfile& profile, const std::string& instance, std::string path) {
     auto& all = profile.components;
     const auto known =
@@ -100,7 +100,7 @@ void write_component(const ProfiledComponent& component, std::size_t place, pugi
                                                           {"rts:kind", "PERIODIC"},
                                                           {"rts:rate", fmt::format("{}", component.rate)}});
     }
-    // In the diagram they stand one below the other.
+    // The editor's diagram shows the components one below the other.
     with(node.append_child("rtsExt:Location"), {{"rtsExt:x", "100"},
                                                 {"rtsExt:y", std::to_string(50 + 100 * place)},
                                                 {"rtsExt:height", "-1"},
@@ -119,7 +119,7 @@ void write_end(const ProfiledEnd& end, const SystemProfile& profile, pugi::xml_n
          {{"rtsExt:name", "COMPONENT_PATH_ID"}, {"rtsExt:value", end.path.empty() ? known : end.path}});
 }
 
-// Which attributes say a connection's terms, and which properties of the connection they are.
+// A term of a connection: its attribute in the profile, its property in the connection, and its usual value.
 struct ConnectionTerm {
     const char* attribute;
     std::string_view property;
@@ -162,7 +162,7 @@ void write_connection(const ProfiledConnection& connection, const SystemProfile&
 
 SystemProfile profile_of_system(const System& system, const SystemSpec& spec) {
     SystemProfile profile{.name = std::filesystem::path(spec.file).stem().string()};
-    profile.doc = profile.name + ", saved by nezumi";  // rtresurrect does not read a profile without
+    profile.doc = profile.name + ", saved by nezumi";  // rtresurrect refuses a profile without this text
     const RtmSpec* rtm = RtmWord::find(spec);
     RtmSpec all = rtm != nullptr ? *rtm : RtmSpec{};
     all.exported.clear();
@@ -193,7 +193,7 @@ SystemProfile profile_of_system(const System& system, const SystemSpec& spec) {
             } else if (theirs) {
                 *end = other_end(profile, *theirs, server);
             } else {
-                is_known = false;  // of another host, or of a type that OpenRTM does not have
+                is_known = false;  // the port is of another host, or its type does not exist in OpenRTM
             }
         }
         if (is_known) profile.connections.push_back(std::move(written));

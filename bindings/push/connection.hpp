@@ -11,8 +11,7 @@ namespace nezumi::push {
 
 class PushConnection {
 public:
-    /// `longest_silence` [ms] is how long `take` waits for the next byte; -1: no limit. The descriptors remain the
-    /// caller's.
+    /// `longest_silence` [ms] is how long `take` waits for the next byte; -1: no limit. The descriptors are not closed.
     PushConnection(int from, int to, int longest_silence = -1)
         : from_(from), to_(to), longest_silence_(longest_silence) {}
 
@@ -22,8 +21,8 @@ public:
     /// Fails if the other side is gone, is silent for too long, or sends an invalid text.
     Expected<std::string> take() const;
     Expected<std::size_t> take_number() const;
-    /// Takes a line of plain text, without its line end, as programs print it. Fails if the other side ends before
-    /// that.
+    /// Takes a line of plain text, as programs print it, without its line end. Fails if the other side ends before the
+    /// end of the line.
     Expected<std::string> take_line() const;
 
 private:

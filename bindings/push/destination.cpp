@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ssh starts in it.
+// The user's home folder, in which ssh starts.
 fs::path home_folder() {
     std::error_code none;
     const char* home = std::getenv("HOME");
@@ -52,7 +52,7 @@ bool is_same_folder(const fs::path& one, const fs::path& other) {
     return stat(one.c_str(), &a) == 0 && stat(other.c_str(), &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
 
-// Returns "a home folder", "the root folder", "above the home folder X", or "" for another folder.
+// Returns "is the root folder", "is a home folder", "contains the home folder X", or "" for another folder.
 std::string what_it_is(const fs::path& folder) {
     if (is_same_folder(folder, "/")) return "is the root folder";
     for (const fs::path& named : home_folders()) {
@@ -71,10 +71,8 @@ Expected<fs::path> find_folder(const std::string& named) {
     fs::path path = named;
     if (named.front() == '~') {
         if (named.size() > 1 && named[1] != '/')
-            return failure(
-                fmt::format("{}: expected a path, or one that begins with ~/; for a folder of this name write "
-                            "./{}",
-                            shown(named), shown(named)));
+            return failure(fmt::format("{}: expected / after ~; for a folder with this name write ./{}", shown(named),
+                                       shown(named)));
         path = home_folder().string() + named.substr(1);
     }
     std::error_code problem;
@@ -112,10 +110,9 @@ Expected<Destination> find_destination(const std::string& named) {
         destination.copy_before = copy;
         return destination;
     }
-    return failure(
-        fmt::format("{} has files and was not pushed to before: choose another folder with --to, or move it away "
-                    "there",
-                    shown(named)));
+    return failure(fmt::format(
+        "{} has files and was not pushed to before: choose another folder with --to, or move it away on the robot",
+        shown(named)));
 }
 
 }  // namespace nezumi::push

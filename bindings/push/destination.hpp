@@ -1,4 +1,5 @@
-// The destination of a project on the robot: a folder given by a person, unless the project would mix with other files.
+// The destination of a project on the robot: the folder that the user named, unless the project would mix with other
+// files.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +11,11 @@
 namespace nezumi::push {
 
 struct Destination {
-    /// Without links, `.` and `..`. It may not exist yet. If it exists it is empty, has the push's own folder, or
-    /// `brought_before` has files.
+    /// The path without links, `.` and `..`. The folder may not exist yet. If it exists, it is empty or was pushed to
+    /// before: by this version, so that it contains `.nezumi-push`, or by an older one (`brought_before`).
     std::filesystem::path folder;
-    /// The files pushed by an older nezumi without a list there, and its copy of them.
+    /// If an older version of nezumi, which made no list, pushed to the folder: the pushed files, and the path of its
+    /// copy of them.
     FileList brought_before{};
     std::filesystem::path copy_before{};
 };

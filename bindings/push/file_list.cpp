@@ -61,7 +61,7 @@ std::string to_text(const FileList& list) {
 
 Expected<FileList> read_file_list(std::string_view text) {
     FileList list;
-    const auto damaged = [] { return failure("is damaged: remove it there, then push again"); };
+    const auto damaged = [] { return failure("is damaged: remove it on the robot, then push again"); };
     if (take_to(text, '\n') != first_line) return damaged();
     while (!text.empty()) {
         std::string_view line = take_to(text, '\n');

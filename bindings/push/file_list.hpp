@@ -34,7 +34,7 @@ using FileList = std::map<std::string, ListedFile>;
 /// The push's own folder within a pushed folder: never part of a list.
 inline constexpr std::string_view own_folder = ".nezumi-push";
 
-/// One line each: `file 9f86d0... "behaviors/drive.lua"`.
+/// The list as text, with a line for each file: `file 9f86d0... "behaviors/drive.lua"`.
 std::string to_text(const FileList& list);
 
 /// Reads the text of `to_text`. Fails if it is incomplete, or has a name that leads out of the folder.

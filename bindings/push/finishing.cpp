@@ -1,4 +1,4 @@
-// Removes first: a file may take the place of a folder with its name.
+// Removes old files first, because a new file may replace a folder with the same name.
 #include "bindings/push/finishing.hpp"
 
 #include <fcntl.h>
@@ -48,7 +48,7 @@ private:
 
     int take_away(const std::string& name, const ListedFile& old) {
         const auto wanted = next_.find(name);
-        // A file that is replaced exists until the new one does.
+        // A file that will be replaced is not removed: it exists until the new one replaces it.
         if (wanted != next_.end() && wanted->second.is_folder() == old.is_folder()) return 0;
         const auto found = files_.find(name);
         if (!found || (wanted != next_.end() && have_same_content(*found, wanted->second))) return 0;
@@ -58,7 +58,7 @@ private:
         }
         if (!old.is_folder()) return files_.remove(name);
         const int problem = files_.remove_empty_folder(name);
-        return is_in_the_way(problem) ? 0 : problem;  // it contains the robot's own files
+        return is_in_the_way(problem) ? 0 : problem;  // the folder contains the robot's own files
     }
 
     int put(const std::string& name, const ListedFile& wanted, const std::string& staged) {
@@ -73,7 +73,7 @@ private:
             problem = files_.move_here(staged_, staged, name);
         }
         if (!is_in_the_way(problem)) return problem;
-        if (wanted.is_folder()) return 0;  // files that can't be put in it are reported
+        if (wanted.is_folder()) return 0;  // the files that can't be put into this folder are reported
         kept_.push_back({before_.contains(name) ? What::kept_edited : What::kept_own, name});
         return 0;
     }

@@ -1,4 +1,4 @@
-// Usually no folder above is a pushed folder, or no push was interrupted: then this costs a search for one file.
+// Usually no push was interrupted: then only one file is searched for in each folder above.
 #include "bindings/push/interrupted.hpp"
 
 #include <fmt/format.h>
@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Time [s] that another process may need to finish it.
+// Time [s] to wait for another process that is finishing the push.
 constexpr double wait_for_push = 10;
 
-// During its lifetime, root has only the permissions of a folder's owner, and makes files as the owner.
+// While an instance exists, root has only the permissions of a folder's owner, and new files belong to this owner.
 class AsOwner {
 public:
     explicit AsOwner(const fs::path& folder) {
@@ -42,7 +42,7 @@ private:
 
 Expected<void> finish_in(const fs::path& folder) {
     const AsOwner owner(folder);
-    if (!owner.is_allowed()) return failure("root can't act as its owner");
+    if (!owner.is_allowed()) return failure("root can't act as the folder's owner");
     auto pushed = PushedFolder::open(folder, wait_for_push);
     if (!pushed) return Unexpected(pushed.error());
     const auto ended = pushed->end_interrupted();

@@ -1,4 +1,4 @@
-// Changes are sent as their number, and each as two texts.
+// Changes are sent as their count, then two texts for each change.
 #include "bindings/push/messages.hpp"
 
 namespace nezumi::push {

@@ -121,7 +121,7 @@ int OpenFolder::read(const std::string& name, const TakesBytes& takes) const {
 }
 
 int OpenFolder::refuses(const std::string& name) const {
-    // The nearest existing folder of the path: the others will be made like it.
+    // Finds the nearest existing folder of the path: the missing ones would be made in it.
     Place place = place_of(name);
     for (std::string above = name; !place.folder;) {
         const auto slash = above.rfind('/');

@@ -1,4 +1,4 @@
-// A folder and its contents, reached without following links: nothing outside is read, written or removed.
+// A folder and its contents, accessed without following links: nothing outside the folder is read, written or removed.
 #pragma once
 
 #include <filesystem>
@@ -29,12 +29,12 @@ public:
 
     /// Returns the object with this name and the hash of its content; nothing if there is none.
     std::optional<ListedFile> find(const std::string& name) const;
-    /// The sorted names in the folder of this name ("": in this one).
+    /// The sorted names in the subfolder `name` ("": in this folder).
     Expected<std::vector<std::string>> names_in(const std::string& name) const;
-    /// Passes on the content of a file or the target of a link. Returns 0 or an errno.
+    /// Passes the content of a file, or the target of a link, to `takes`. Returns 0 or an errno.
     int read(const std::string& name, const TakesBytes& takes) const;
-    /// Returns why a file of this name can't be made, replaced or removed, as an errno, or 0. Missing folders don't
-    /// matter.
+    /// Returns the errno with which making, replacing or removing a file of this name would fail, or 0. Missing folders
+    /// are not an error.
     int refuses(const std::string& name) const;
 
     // These return 0 or an errno.
@@ -48,7 +48,8 @@ public:
 private:
     explicit OpenFolder(Descriptor folder) : folder_(std::move(folder)) {}
 
-    // A path's folder and last part. If the folder can't be reached, it is not open, and errno has the reason.
+    // The folder and the last part of a path. If the folder can't be opened, `folder` is empty, and errno has the
+    // reason.
     struct Place {
         Descriptor folder;
         std::string last;

@@ -42,7 +42,7 @@ private:
         return brought != pushed_.end() && have_same_content(found, brought->second);
     }
     void note(What what, const std::string& name) { plan_.changes.push_back({what, name}); }
-    // The file and its entry in the list stay.
+    // Keeps the file and its entry in the list.
     void keep(const std::string& name) {
         if (const auto brought = pushed_.find(name); brought != pushed_.end()) plan_.next.insert(*brought);
     }
@@ -51,7 +51,7 @@ private:
         keep(name);
         if (wanted.is_folder()) closed_.insert(name);
     }
-    // True if it is in a folder that can't be made because another object is kept there.
+    // True if the file is in a folder that can't be made, because another object with the folder's name is kept.
     bool is_closed(const std::string& name) const {
         for (auto slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1)) {
             if (closed_.contains(name.substr(0, slash))) return true;

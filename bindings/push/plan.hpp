@@ -16,7 +16,7 @@ struct FileChange {
         removed,
         kept_edited,   ///< from an earlier push, edited on the robot since, and different in the project
         kept_own,      ///< not from a push, and the project has another file with this name
-        kept_removed,  ///< as kept_edited, but no longer in the project: it becomes the robot's own
+        kept_removed,  ///< as kept_edited, but no longer in the project: push no longer manages it
     };
     What what;
     std::string name;
@@ -24,7 +24,7 @@ struct FileChange {
     bool operator==(const FileChange&) const = default;
 };
 
-/// True if a file there is changed or removed.
+/// True if a file is added, changed or removed on the robot.
 bool is_change(FileChange::What what);
 /// True if a file of the project is not put on the robot.
 bool is_withheld(FileChange::What what);
@@ -34,8 +34,8 @@ struct PushPlan {
     FileList next{};                    ///< the list of pushed files after this push
 };
 
-/// `pushed` are the files of earlier pushes, `project` those to push, `there` the robot's folder, or null if it does
-/// not exist. A file there with the project's content counts as pushed.
+/// `pushed` are the files of earlier pushes, `project` the files to push. `there` is the folder on the robot, or null
+/// if it does not exist. A file on the robot that has the project's content counts as pushed.
 PushPlan plan_push(const FileList& pushed, const FileList& project, const OpenFolder* there);
 
 }  // namespace nezumi::push

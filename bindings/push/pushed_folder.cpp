@@ -59,7 +59,7 @@ int write_synced(int folder, const char* name, std::string_view text) {
     return fsync(file.get()) == 0 ? 0 : errno;
 }
 
-// Writes a complete list to the disk if none of this name exists.
+// Writes a complete list to the disk, or nothing. No list with this name may exist: it would be removed after an error.
 int make_list(int own, const std::string& name, const FileList& list) {
     const std::string fresh = name + ".new";
     int problem = write_synced(own, fresh.c_str(), to_text(list));
@@ -95,7 +95,7 @@ Expected<PushedFolder> PushedFolder::open(const fs::path& folder, double longest
     auto own = files->below(own_path.filename());
     if (!own) return Unexpected(own.error());
     if (!lock(own->descriptor(), longest_wait))
-        return failure("another push to it is running: wait for its end", {.file = folder.string()});
+        return failure("another push to this folder is running: wait until it ends", {.file = folder.string()});
     if (mkdirat(own->descriptor(), "new", folder_mode) != 0 && errno != EEXIST)
         return problem_with((own_path / "new").string(), errno);
     auto staged = own->below("new");

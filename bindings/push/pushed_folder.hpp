@@ -27,12 +27,12 @@ namespace nezumi::push {
 
 /// The files of earlier pushes to a folder; none before the first push has finished.
 Expected<FileList> pushed_list(const OpenFolder& folder);
-/// True if a push to it has finished or is committed.
+/// True if a push to this folder has finished or is committed.
 bool was_pushed_to(const OpenFolder& folder);
-/// True if a push to it is committed but not finished.
+/// True if a push to this folder is committed but not finished.
 bool is_committed_to(const OpenFolder& folder);
 
-/// Returns a file's content piece by piece; "" is its end.
+/// Each call returns the next piece of a file's content; "" at its end.
 using GivesBytes = std::function<Expected<std::string>()>;
 
 class PushedFolder {
@@ -42,21 +42,22 @@ public:
     static Expected<PushedFolder> open(const std::filesystem::path& folder, double longest_wait);
 
     const OpenFolder& files() const { return files_; }
-    /// Undoes a push that was interrupted before its commit. Finishes one that was interrupted after it, and returns
-    /// true.
+    /// Undoes a push that was interrupted before its commit. Finishes a push that was interrupted after its commit, and
+    /// then returns true.
     Expected<bool> end_interrupted();
 
-    /// Makes the list for files pushed by an older nezumi without one.
+    /// Makes the missing list of a folder to which an older version of nezumi has pushed `brought` without a list.
     Expected<void> adopt(const FileList& brought);
     /// Fails if the file of this name can't be replaced or removed.
     Expected<void> can_change(const std::string& name) const;
-    /// Writes file `number` of the next list. Fails too if the content differs from the hash in `file`.
+    /// Writes the content of file `number` of the next list to `.nezumi-push/new`. Fails too if the content does not
+    /// have the hash in `file`.
     Expected<void> stage(std::size_t number, const std::string& name, const ListedFile& file,
                          const GivesBytes& content);
-    /// From here on this push will be finished in any case.
+    /// Commits the push: from now on it will be finished in any case, by a later call if necessary.
     Expected<void> commit(const FileList& next);
-    /// Puts the committed files in place. Returns the files that were kept because they were edited on the robot. After
-    /// an error it can be finished later.
+    /// Moves the committed files to their names. Returns the files that were kept because they were edited on the
+    /// robot. After an error, call this again to finish the push.
     Expected<std::vector<FileChange>> finish();
 
 private:

@@ -13,7 +13,7 @@
 namespace nezumi::push {
 namespace {
 
-// Time [s] to wait for another process: an interrupted push, or the start of a run.
+// Time [s] to wait for another process that has locked the folder: an interrupted push, or the start of a run.
 constexpr double wait_for_folder = 2;
 
 struct Order {
@@ -47,7 +47,8 @@ Expected<void> show_plan(const PushConnection& connection, const Order& order, c
     const auto there = OpenFolder::open(to.folder);
     if (!there) return put_plan(connection, false, to, plan_push({}, order.project, nullptr));
     if (is_committed_to(*there))
-        return failure("a push to it was interrupted while its files were put in place: the next push finishes it");
+        return failure(
+            "a push to this folder was interrupted while its files were put in place: the next push finishes it");
     const auto pushed = to.copy_before.empty() ? pushed_list(*there) : to.brought_before;
     return pushed ? put_plan(connection, false, to, plan_push(*pushed, order.project, &*there))
                   : Unexpected(pushed.error());

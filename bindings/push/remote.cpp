@@ -22,7 +22,7 @@ namespace nezumi::push {
 
 namespace {
 
-// True if ssh would take it for an option, for another host or for a shell's text.
+// True if ssh would misread the name: as an option, as another host, or as text for a shell.
 bool is_odd(std::string_view host) {
     if (host.find_first_of(" :/'\"\\") != host.npos) return true;
     if (std::any_of(host.begin(), host.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; })) return true;

@@ -10,8 +10,8 @@
 
 namespace nezumi::push {
 
-/// Runs a program with the arguments `words` to its end, with our terminal. `input` and `output` replace its standard
-/// files. Fails if it can't be run.
+/// Runs the program `words` to its end in the foreground of our terminal. `input` and `output` replace its standard
+/// input and output. Fails if the program can't be run.
 Expected<ProgramEnd> run_in_front(std::vector<std::string> words, int input = own_file, int output = own_file);
 
 class Remote {
@@ -21,11 +21,11 @@ public:
     static Expected<Remote> at(std::string host, std::string config);
 
     const std::string& host() const { return host_; }
-    /// The arguments of ssh that run a command there; the command is a text for its shell. `has_terminal` requests a
-    /// terminal.
+    /// The arguments of ssh that run a command on the other computer; the command is a text for the shell there.
+    /// `has_terminal` requests a terminal.
     std::vector<std::string> ssh(const std::string& command, bool has_terminal = false) const;
-    /// Runs a command there to its end, while `talk` reads its output (`from`) and writes its input (`to`). Fails if
-    /// ssh can't be run.
+    /// Runs a command on the other computer to its end, while `talk` reads its output (`from`) and writes its input
+    /// (`to`). Fails if ssh can't be run.
     Expected<ProgramEnd> talk(const std::string& command, const std::function<void(int from, int to)>& talk) const;
 
 private:
@@ -34,7 +34,7 @@ private:
     std::string host_, config_;
 };
 
-/// The exit status of ssh without a connection.
+/// The exit status of ssh if there is no connection.
 inline constexpr int no_connection = 255;
 
 }  // namespace nezumi::push

@@ -14,7 +14,7 @@ namespace nezumi::push {
 struct ProjectScan {
     OpenFolder folder;
     FileList list{};
-    std::vector<std::string> passed_over{};  ///< FIFOs, devices, sockets
+    std::vector<std::string> passed_over{};  ///< FIFOs, devices, sockets: they are not pushed
 };
 
 /// All files and folders of the project except those of git, `build/`, editors' copies (`*~`, `*.swp`) and robots' own

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::string_view nothing_changed = "nothing was changed on the robot";
 
-// Takes the next word of the other side, or its error. `state` is added if it gives no reason.
+// Takes the next word of the other side, or the error that it sent. If the connection broke, the error ends with
+// `state`.
 Expected<std::string> take_word(const PushConnection& connection, std::string_view state) {
     auto word = connection.take();
     if (!word) return failure(fmt::format("{}: {}", word.error().message, state));
@@ -25,7 +26,8 @@ Expected<std::string> take_word(const PushConnection& connection, std::string_vi
     return why ? failure(*why) : Unexpected(why.error());
 }
 
-// An error is on our side. If the other side stops taking, it has sent the reason. Returns true if the commit was sent.
+// Sends the contents, then the commit. Returns false if the other side stopped reading: it has sent the reason. An
+// error is one of this side.
 Expected<bool> send_contents(const PushConnection& connection, const ProjectScan& project,
                              const std::vector<FileChange>& changes) {
     for (const std::string& name : names_to_send(changes, project.list)) {

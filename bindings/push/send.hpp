@@ -13,13 +13,13 @@ namespace nezumi::push {
 
 struct Sent {
     std::vector<FileChange> changes{};  ///< sorted by name
-    std::string folder{};               ///< its full path there
-    bool has_finished = false;          ///< an interrupted push was finished first
-    std::string copy_before{};          ///< a folder there used only by older versions of nezumi; "" if none
+    std::string folder{};               ///< full path of the folder on the other computer
+    bool has_finished = false;          ///< true if an interrupted push was finished first
+    std::string copy_before{};  ///< a folder on the other computer that only older versions of nezumi use; "" if none
 };
 
-/// Pushes a project to the `folder` there, whose nezumi runs `receive_project`. With `only_shows` nothing is changed.
-/// An error is that of the other side, or a broken connection.
+/// Pushes a project to `folder` on the other computer, where nezumi runs `receive_project`. With `only_shows` nothing
+/// is changed. An error is that of the other side, or a broken connection.
 Expected<Sent> send_project(const PushConnection& connection, const ProjectScan& project, const std::string& folder,
                             bool only_shows);
 

@@ -10,7 +10,7 @@ std::string gzipped(std::string_view text) {
     if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, window_of_gzip, most_memory, Z_DEFAULT_STRATEGY) != Z_OK)
         return {};
     std::string packed(deflateBound(&stream, text.size()), '\0');
-    // zlib only reads the text.
+    // The const_cast is safe, because zlib only reads the text.
     stream.next_in =
         reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
     stream.avail_in = static_cast<uInt>(text.size());

@@ -6,7 +6,7 @@
 
 namespace nezumi::record {
 
-/// The same text always gives the same bytes. "" if there is no memory for it.
+/// Compresses a text. The same text always gives the same bytes. Returns "" if there is not enough memory.
 std::string gzipped(std::string_view text);
 
 }  // namespace nezumi::record

@@ -1,4 +1,4 @@
-// The container format MCAP, version 0 (mcap.dev/spec): what its writer and its reader share.
+// The container format MCAP, version 0 (mcap.dev/spec): the definitions that writer and reader share.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace nezumi::record {
 /// The first and the last bytes of a file.
 inline constexpr std::string_view mcap_magic{"\x89MCAP0\r\n", 8};
 
-/// The kinds of records. A record is this byte, the length of its content in 8 bytes, and the content.
+/// The kinds of records. A record is the byte of its kind, the length of the content in 8 bytes, and the content.
 enum class Opcode : std::uint8_t {
     header = 0x01,
     footer = 0x02,
@@ -37,7 +37,7 @@ struct Schema {
 
 struct RecordedChannel {
     std::string topic;
-    std::string encoding;  ///< of its messages: "cdr"
+    std::string encoding;  ///< encoding of the messages: "cdr"
     Schema schema;
     std::map<std::string, std::string> metadata{};
 };
@@ -45,8 +45,8 @@ struct RecordedChannel {
 /// A message of a channel.
 struct RecordedMessage {
     std::uint16_t channel = 0;       ///< the channel's number
-    std::uint64_t log_time = 0;      ///< [ns] when it was recorded
-    std::uint64_t publish_time = 0;  ///< [ns] its stamp
+    std::uint64_t log_time = 0;      ///< [ns] time of the recording
+    std::uint64_t publish_time = 0;  ///< [ns] stamp of the message
     std::string data{};              ///< in the channel's encoding
 };
 

@@ -18,7 +18,7 @@ namespace {
 // The largest size of a chunk [bytes], before compression.
 constexpr std::size_t most_chunk_bytes = std::size_t{256} << 20;
 
-// Takes numbers and texts from a record's content. After the end everything is 0 and "".
+// Takes numbers and texts from a record's content. After the end, every number is 0 and every text "".
 class Content {
 public:
     explicit Content(std::string_view bytes) : bytes_(bytes) {}
@@ -88,7 +88,8 @@ public:
         if (!is_mcap(bytes)) return failure("is not an MCAP file", {name_});
         const bool ends_well = bytes.size() >= 2 * mcap_magic.size() && bytes.ends_with(mcap_magic);
         auto done = read_records(bytes, mcap_magic.size(), 0);
-        // A killed program leaves a file without an end, whose last record may be torn.
+        // If a program is killed, its file has no end, and the last record may be incomplete: the records before are
+        // used.
         if (!done && ends_well) return Unexpected(done.error());
         file_.is_complete = ends_well;
         std::stable_sort(file_.messages.begin(), file_.messages.end(),
@@ -97,7 +98,8 @@ public:
     }
 
 private:
-    // `offset`: [bytes] from the start of the file, for errors within a chunk that of the chunk.
+    // Reads the records from `at` on. `chunk`: the position of the chunk in the file [bytes], for errors; 0: not in a
+    // chunk.
     Expected<void> read_records(std::string_view bytes, std::size_t at, std::size_t chunk) {
         while (at < bytes.size()) {
             here_ = chunk > 0 ? chunk : at;
@@ -153,8 +155,9 @@ private:
         if (schema != 0) {
             const auto known = schemas_.find(schema);
             if (known == schemas_.end())
-                return wrong(fmt::format("channel '{}' refers to schema {}, which is not before it in the file",
-                                         shown(channel.topic), schema));
+                return wrong(
+                    fmt::format("channel '{}' refers to schema {}, but the file has no such schema before this channel",
+                                shown(channel.topic), schema));
             channel.schema = known->second;
         }
         file_.channels[number] = std::move(channel);
@@ -170,7 +173,8 @@ private:
         message.data = content.rest();
         if (!content.is_whole()) return wrong("the message is incomplete");
         if (!file_.channels.contains(message.channel))
-            return wrong(fmt::format("the message has no channel {}", message.channel));
+            return wrong(fmt::format("the message is of channel {}, but the file has no such channel before it",
+                                     message.channel));
         total_ += message.data.size();
         if (total_ > most_recorded_bytes) return wrong("the messages have more than 4 GB");
         file_.messages.push_back(std::move(message));
@@ -207,8 +211,8 @@ private:
     const std::string& name_;
     McapFile file_;
     std::map<std::uint16_t, Schema> schemas_;
-    std::size_t here_ = 0;   // [bytes] of the record in the file
-    std::size_t total_ = 0;  // [bytes] of messages
+    std::size_t here_ = 0;   // [bytes] position in the file, for errors
+    std::size_t total_ = 0;  // [bytes] of all messages
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Reads MCAP files, ours and those of other programs: with chunks or without, compressed by zstd, lz4 or not at all.
+// Reads MCAP files of nezumi and of other programs: with or without chunks, compressed by zstd or lz4 or uncompressed.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ bool is_mcap(std::string_view bytes);
 
 struct McapFile {
     std::map<std::uint16_t, RecordedChannel> channels{};
-    /// Sorted by log time; messages of the same time in the order of the file.
+    /// Sorted by log time; messages with the same time are in the order of the file.
     std::vector<RecordedMessage> messages{};
-    /// False: the writing program was killed; the messages up to then are there.
+    /// False: the file has no end, because the program that wrote it was killed; it has the messages up to then.
     bool is_complete = false;
 };
 
 /// The largest size of all messages together [bytes], before compression.
 inline constexpr std::size_t most_recorded_bytes = std::size_t{4} << 30;
 
-/// `name` is that of the file, for errors. Errors give the byte: a record with wrong lengths, a chunk with a wrong
-/// checksum, an unknown compression, a message without a channel.
+/// Reads a file. `name` is its name in errors. Errors have the position of the byte: a record with a wrong length, a
+/// chunk with a wrong checksum, an unknown compression, a message without a channel.
 Expected<McapFile> read_mcap(std::string_view bytes, const std::string& name);
 
 }  // namespace nezumi::record

@@ -12,7 +12,7 @@
 namespace nezumi::record {
 namespace {
 
-constexpr int fast = 1, usual = 3;  // levels of zstd
+constexpr int fast = 1, usual = 3;  // compression levels of zstd
 
 template <std::unsigned_integral T>
 void put(std::string& out, T number) {
@@ -44,7 +44,7 @@ std::uint32_t checksum(std::string_view bytes) {
 }
 
 struct Packed {
-    std::string record;  // the chunk
+    std::string record;  // the chunk as a record
     std::uint64_t compressed;
 };
 
@@ -228,7 +228,7 @@ std::string McapWriter::summary(std::uint64_t at) {
         put(content, each.length);
         put_record(out, Opcode::summary_offset, content);
     }
-    // The checksum is of the summary, and of the footer up to it.
+    // The checksum covers the summary, and the footer up to the checksum.
     put(out, static_cast<std::uint8_t>(Opcode::footer));
     put(out, std::uint64_t{8 + 8 + 4});
     put(out, at);
@@ -241,7 +241,7 @@ std::string McapWriter::end() {
     std::string out = whole_chunk();
     const std::size_t before = out.size();
     std::string content;
-    put(content, std::uint32_t{0});  // no checksum of all data
+    put(content, std::uint32_t{0});  // 0: there is no checksum of all data
     put_record(out, Opcode::data_end, content);
     written_ += out.size() - before;
     out += summary(written_);

@@ -11,27 +11,28 @@
 
 namespace nezumi::record {
 
-/// Channels and messages that come next in a file. A channel comes before its first message.
+/// Channels and messages that come next in a file. A channel must come before its first message.
 struct McapBatch {
     std::vector<std::pair<std::uint16_t, RecordedChannel>> channels{};  ///< by number; numbers begin with 0
     std::vector<RecordedMessage> messages{};
-    std::size_t bytes = 0;  ///< of the messages, about
+    std::size_t bytes = 0;  ///< approximate size of the messages
     bool empty() const { return channels.empty() && messages.empty(); }
 };
 
-/// A chunk of a second takes less than 20 chunks of 50 ms, but a process that is killed loses what no chunk contains
-/// yet. So `small_chunk` is written often, and `whole_chunk` later replaces all small chunks since the last whole one.
+/// One chunk of 1 s needs less space than 20 chunks of 50 ms, but a process that is killed loses the messages that are
+/// in no chunk yet. So `small_chunk` is written often, and `whole_chunk` later replaces all small chunks since the last
+/// whole one.
 class McapWriter {
 public:
-    /// The begin of the file.
+    /// Returns the beginning of the file.
     std::string begin();
     void add(const McapBatch& batch);
-    /// A chunk of what was added since the last chunk of either kind, without an index; "" for nothing.
+    /// Returns a chunk, without an index, of the messages since the last chunk of either kind; "" if there are none.
     std::string small_chunk();
-    /// All that was added since the last whole chunk as one chunk, with its index: replaces the small chunks since
-    /// then. "" for nothing.
+    /// Returns one chunk, with its index, of all messages since the last whole chunk; "" if there are none. It must
+    /// replace the small chunks since then in the file.
     std::string whole_chunk();
-    /// The end of the file: the last whole chunk, and the summary. Replaces the small chunks as well.
+    /// Returns the end of the file: the last whole chunk and the summary. It must replace the small chunks as well.
     std::string end();
 
 private:
@@ -47,7 +48,7 @@ private:
     };
     struct Known {
         RecordedChannel channel;
-        std::uint16_t schema = 0;  // its number; 0: none
+        std::uint16_t schema = 0;  // number of its schema; 0: none
         std::uint64_t messages = 0;
     };
 
@@ -56,7 +57,7 @@ private:
     std::map<Schema, std::uint16_t> schemas_;  // numbers from 1 on
     std::map<std::uint16_t, Known> channels_;
     std::string pending_;       // records since the last whole chunk
-    std::size_t in_small_ = 0;  // [bytes] of them that are in small chunks
+    std::size_t in_small_ = 0;  // [bytes] of `pending_` that are in small chunks
     std::map<std::uint16_t, std::vector<Index>> indexes_;
     std::uint64_t pending_begin_ = 0, pending_end_ = 0;  // [ns]
     std::vector<ChunkEntry> chunks_;

@@ -1,4 +1,4 @@
-// Our own messages in recordings.
+// The messages that only nezumi's own recordings have: journal, log and named values.
 #include "bindings/record/recorded_run.hpp"
 
 #include <fmt/format.h>

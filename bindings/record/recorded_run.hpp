@@ -1,4 +1,4 @@
-// What nezumi's own recordings contain beside ports: the journal of the run, the log, values by name.
+// The contents of nezumi's own recordings besides ports: the journal of the run, the log, values by name.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace nezumi::record {
 
-/// The topic of the journal: std_msgs/msg/String, each with some of its lines.
+/// The topic of the journal: messages std_msgs/msg/String, each with some lines of the journal.
 inline constexpr std::string_view journal_topic = "/nezumi/journal";
 /// The topic of the log, as ROS names it: rcl_interfaces/msg/Log.
 inline constexpr std::string_view log_topic = "/rosout";
@@ -23,9 +23,9 @@ inline constexpr std::string_view port_entry = "nezumi_port";
 /// "mouse.ir_sensor_out" as a topic: "/mouse/ir_sensor_out".
 std::string topic_of(std::string_view path);
 
-/// [ns] from seconds; what is negative or not a number is 0.
+/// Converts seconds to nanoseconds; negative numbers and NaN become 0.
 std::uint64_t to_nanoseconds(double seconds);
-/// The inverse: a number of seconds with at most 9 decimals comes back exactly.
+/// The inverse of `to_nanoseconds`: a number of seconds with at most 9 decimals comes back exactly.
 double to_seconds(std::uint64_t nanoseconds);
 
 /// Numbers and texts by name, of parameters, of a script's state and of its probes. A boolean is 0 or 1.
@@ -58,7 +58,7 @@ struct RosString {
     std::string data;
     static constexpr std::string_view type_name = "std_msgs/msg/String";
 };
-/// A log line as rcl_interfaces/msg/Log, `tm` [s] being its time in the recording.
+/// A log line as rcl_interfaces/msg/Log. `tm` is its time in the recording [s].
 RosLog to_ros(const LogLine& line, double tm);
 
 /// The journal of the recorded run. An error if the file has none.

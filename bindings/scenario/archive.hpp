@@ -1,5 +1,5 @@
 // Writes structures as bytes and reads them back: the members in order, numbers as in memory, texts and lists after
-// their length, optional values after whether they exist.
+// their length, optional values after a flag that tells whether they exist.
 #pragma once
 
 #include <bit>
@@ -17,7 +17,7 @@
 
 namespace nezumi {
 
-// Results are sent from one machine to another.
+// Results are sent from one machine to another, so all must have this byte order.
 static_assert(std::endian::native == std::endian::little);
 
 template <class T>
@@ -29,8 +29,8 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
-/// Of a structure that is not archived whole, a function `each_field(archive, value)` in its namespace calls the
-/// archive with each field that is, and returns whether all of them were read.
+/// If only some fields of a structure are archived, a function `each_field(archive, value)` in the namespace of the
+/// structure calls the archive with each of these fields, and returns whether all of them were read.
 template <class Archive, class AnyError>
 requires std::is_same_v<std::remove_const_t<AnyError>, Error>
 bool each_field(Archive& archive, AnyError& error) {

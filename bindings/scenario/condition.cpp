@@ -18,7 +18,8 @@ namespace nezumi {
 namespace {
 
 constexpr const char* hook_name = "nezumi_observe";
-constexpr std::size_t most_helpers = 32;  // functions that a condition makes again are others each time
+// A limit, because a condition that makes functions makes new ones in each call.
+constexpr std::size_t most_helpers = 32;
 
 // The names of a function's upvalues, in order.
 std::vector<std::string> upvalues_of(lua_State* lua, int function) {
@@ -56,8 +57,8 @@ bool keep(lua_State* lua, const void* key) {
 
 }  // namespace
 
-// A function that records what it compares. The registry has it under the address of this, and the original under the
-// address of `original`, so that no other function gets its address.
+// A function that records what it compares. The registry keeps it under the address of this object. It also keeps the
+// original function, under the address of `original`, so that no other function gets the original's address.
 struct Condition::Function {
     Condition* owner = nullptr;
     Observed observed{};
@@ -107,12 +108,14 @@ bool Condition::observe(lua_State* lua, int index, Function& function) {
         if (why_.empty()) why_ = std::move(why);
         return false;
     };
-    if (lua_checkstack(lua, 10) == 0 || lua_iscfunction(lua, index) != 0) return refuse("it is not written in Lua");
+    if (lua_checkstack(lua, 10) == 0 || lua_iscfunction(lua, index) != 0)
+        return refuse("the condition is not written in Lua");
     lua_Debug info;
     lua_pushvalue(lua, index);
     if (lua_getinfo(lua, ">Su", &info) == 0 || info.source == nullptr || *info.source == '\0') return false;
     const SyntaxTree* const tree = texts_.tree(info.source + 1);
-    if (tree == nullptr) return refuse(fmt::format("it is a function of {}", info.source + 1));
+    if (tree == nullptr)
+        return refuse(fmt::format("the text of {}, which defines the condition, is unknown", info.source + 1));
     ObservedSource source = observe_function(*tree,
                                              {.first_line = info.linedefined,
                                               .last_line = info.lastlinedefined,
@@ -120,7 +123,7 @@ bool Condition::observe(lua_State* lua, int index, Function& function) {
                                               .takes_more = info.isvararg != 0},
                                              hook_name);
     if (source.text.empty()) return refuse(source.why);
-    if (source.observed.decisions.empty()) return refuse("it returns nothing");
+    if (source.observed.decisions.empty()) return refuse("the condition returns nothing");
     const std::vector<std::string> names = upvalues_of(lua, index);
     std::string locals = fmt::format("local {}", hook_name);
     for (const std::string& name : names) {
@@ -128,12 +131,12 @@ bool Condition::observe(lua_State* lua, int index, Function& function) {
         if (name != "_ENV") locals += ", " + name;
     }
     const std::string text = " " + source.constants + "return " + source.text;
-    if (!knows_all_names(locals + text)) return refuse("it uses a <const> whose value is not a literal");
+    if (!knows_all_names(locals + text)) return refuse("the condition uses a <const> whose value is not a literal");
     if (contains(names, "_ENV")) locals += ", _ENV";
     const std::string lines(static_cast<std::size_t>(std::max(0, info.linedefined - 1)), '\n');
     const auto chunk = compile(lines + locals + text, info.source + 1);
     if (!chunk || !load_chunk(lua, *chunk) || !protected_call(lua, 0, 1, condition_budget))
-        return refuse("it can't be compiled again");
+        return refuse("the condition can't be compiled again");
 
     const int copy = lua_gettop(lua);
     const std::vector<std::string> copied = upvalues_of(lua, copy);
@@ -177,7 +180,7 @@ Condition::Function* Condition::helper(lua_State* lua, int index) {
     return helpers_.emplace(address, std::move(function)).first->second.get();
 }
 
-// Upvalue: the function that calls it.
+// Upvalue: the `Function` whose code calls the hook.
 int Condition::hook(lua_State* lua) {
     auto& function = *static_cast<Function*>(lua_touserdata(lua, lua_upvalueindex(1)));
     const auto code = static_cast<std::size_t>(lua_tointeger(lua, 1));
@@ -220,7 +223,7 @@ int Condition::compare(lua_State* lua, Comparison& comparison) {
     return 1;
 }
 
-// Gives what is called instead of the function at 2.
+// Pushes the function to call instead of the one at index 2.
 int Condition::called(lua_State* lua, const Comparison& comparison) {
     const int type = lua_type(lua, 2);
     if (type != LUA_TFUNCTION && luaL_getmetafield(lua, 2, "__call") == LUA_TNIL) {
@@ -256,7 +259,7 @@ void Condition::take_value(lua_State* lua, Comparison& value) {
     if (within.decided != nullptr) value.decided = within.decided;
 }
 
-// Gives X.collided of the X at 2.
+// Pushes X.collided of the X at index 2.
 int Condition::take_contact(lua_State* lua, Comparison& value, const Function& function) {
     const int type = lua_type(lua, 2);
     const bool is_indexed = type == LUA_TUSERDATA || type == LUA_TTABLE;
@@ -268,7 +271,8 @@ int Condition::take_contact(lua_State* lua, Comparison& value, const Function& f
     value.result = lua_toboolean(lua, 3) != 0;
     value.robustness = of_result(value.result);
     value.decided = &value;
-    // The least robustness of `and`, `or` and `not` is exact even if a greater one of a part is not.
+    // If the caller needs only robustnesses below `least`, the parts of `and`, `or` and `not` need no greater ones
+    // either: the clearance is measured only up to there.
     const bool is_part = &function == own_.get() && function.observed.returns_only;
     const bool may_be_less = is_part && asked_ != nullptr && value.negated != asked_->opposite;
     const double most = may_be_less ? asked_->least : std::numeric_limits<double>::infinity();
@@ -277,7 +281,7 @@ int Condition::take_contact(lua_State* lua, Comparison& value, const Function& f
     return 1;
 }
 
-// Pushes the number or boolean at a path of the object at 2; returns 0 if there is none.
+// Pushes the number or boolean at a path of the object at index 2; returns 0 if there is none.
 int Condition::read_path(lua_State* lua, std::string_view path) const {
     const auto scalar = texts_.scalar ? texts_.scalar(lua, 2, path) : std::nullopt;
     if (!scalar) return 0;
@@ -314,11 +318,11 @@ std::string text_of_number(double number, std::string_view unit) {
 }
 
 std::string why_without_numbers(const Robustness& robustness) {
-    if (robustness.decided == nullptr) return "it returns a constant";
+    if (robustness.decided == nullptr) return "the condition returns a constant";
     const Comparison& decided = *robustness.decided;
     if (decided.op == Comparison::Operator::truth) return fmt::format("{} is true or false", decided.left);
     if (!decided.has_numbers) return fmt::format("{}: does not compare numbers", text_of(decided));
-    return fmt::format("{}: the difference is not finite", text_of(decided));
+    return fmt::format("{}: the difference of its two sides is not finite", text_of(decided));
 }
 
 namespace {

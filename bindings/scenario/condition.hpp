@@ -31,11 +31,11 @@ public:
     explicit FunctionTexts(Find find) : find_(std::move(find)) {}
     const SyntaxTree* tree(const std::string& file);
 
-    /// The distance [m] from the robot at this index to what it would touch first, at most `most`. Nothing if it is
-    /// unknown, or no robot.
+    /// The distance [m] from the robot at this stack index to the nearest thing that it could touch, at most `most`.
+    /// Nothing if the distance is unknown, or if the value is not a robot.
     std::function<std::optional<double>(lua_State* lua, int index, double most)> clearance{};
-    /// The number or boolean at a path of the object at this index, as its own fields give it; nothing for anything
-    /// else.
+    /// The number or boolean that the object at this stack index has at a path, the same as its fields would give;
+    /// nothing for any other value.
     std::function<std::optional<Value>(lua_State* lua, int index, std::string_view path)> scalar{};
 
 private:
@@ -43,8 +43,8 @@ private:
     std::map<std::string, std::unique_ptr<SyntaxTree>> trees_;
 };
 
-/// What is asked of samples: only the least robustness, of the opposite result if `opposite`. A robustness that is not
-/// below `least` need not be exact.
+/// What a caller needs of a sample: the robustness (with the sign changed if `opposite`) if it is below `least`. A
+/// greater robustness need not be exact.
 struct LeastAsked {
     double least = std::numeric_limits<double>::infinity();
     bool opposite = false;
@@ -59,14 +59,14 @@ public:
     Condition(const Condition&) = delete;
     Condition& operator=(const Condition&) = delete;
 
-    /// Calls it. What is asked of the robustness may save time; null: it is exact.
+    /// Calls the condition. `asked` may save time; null: the robustness is exact.
     tl::expected<bool, CallError> sample(lua_State* lua, const LeastAsked* asked = nullptr);
 
-    /// Its own, without those of functions that it calls, in the order of the text.
+    /// The comparisons in the condition itself, not in functions that it calls, in the order of the text.
     const std::vector<Comparison>& comparisons() const;
     /// The robustness of the last sample.
     const Robustness& robustness() const { return robustness_; }
-    /// Why nothing is known about its numbers; "" if something is.
+    /// The reason why the numbers of the condition are unknown; "" if they are known.
     const std::string& why() const { return why_; }
     /// The compared values that caused the last result, and their differences; "" if unknown.
     std::string reason() const;
@@ -92,7 +92,7 @@ private:
     std::size_t depth_ = 0;                   // may be more than `deepest`
     Robustness robustness_;
     bool held_ = false;
-    const LeastAsked* asked_ = nullptr;  // null, or of the present sample
+    const LeastAsked* asked_ = nullptr;  // the argument of the present `sample`
     std::string why_;
 };
 

@@ -63,7 +63,7 @@ bool is_constant(const SyntaxNode& value) {
     return value.is(Kind::literal) || (value.is(Kind::unary) && value.word->is("-") && value.child->is(Kind::literal));
 }
 
-// What `return true` returns, if it is the only statement.
+// The literal that a block returns, if `return LITERAL` is its only statement.
 std::optional<bool> returned_literal(const SyntaxNode& block) {
     const SyntaxNode* const statement = block.child;
     if (statement == nullptr || statement->next != nullptr || !statement->is(Kind::return_statement))
@@ -78,7 +78,7 @@ bool contains_return(const SyntaxNode& node) {
     return std::any_of(begin(node), end(node), contains_return);
 }
 
-// A function that contains only `return EXPRESSION`.
+// Whether a function contains only `return EXPRESSION`.
 bool only_returns(const SyntaxNode& body) {
     return body.child != nullptr && body.child->next == nullptr && body.child->is(Kind::return_statement) &&
            body.child->count() == 1 && body.child->child->count() == 1;
@@ -115,7 +115,7 @@ public:
         const std::size_t end = begin + function_.text().size();
         for (const Edit& edit : edits_) {
             out.append(source.substr(begin, edit.at - begin));
-            // A word before it must not become a part of the name.
+            // A blank separates the name of the hook from a word before it.
             const bool joins = edit.text.starts_with(hook_) && !out.empty() &&
                                (std::isalnum(static_cast<unsigned char>(out.back())) != 0 || out.back() == '_');
             out.append(joins ? " " : "").append(edit.text);
@@ -264,7 +264,7 @@ private:
     }
 
     // Each `a.b.c` in an expression becomes `(hook(a) or a.b.c)`: the hook finds most numbers without a table for each
-    // step. What it does not find, also errors, is as without it.
+    // step. If the hook finds nothing, `a.b.c` is evaluated as usual, with its usual errors.
     void shorten_paths(const SyntaxNode& node) {
         if (node.is(Kind::function)) return;
         const SyntaxNode* root = &node;
@@ -311,7 +311,7 @@ private:
         return index;
     }
 
-    // As Lua calls it in an error, when it can't be called or indexed.
+    // The name that Lua's error about a wrong call or index gives to a value.
     std::string in_message(const SyntaxNode& value) const {
         if (value.is(Kind::member)) return fmt::format("field '{}'", value.word_text());
         if (!value.is(Kind::name)) return "?";
@@ -328,7 +328,7 @@ private:
     std::string_view hook_;
     std::vector<Edit> edits_;
     std::vector<const LocalName*> assigned_;
-    std::map<const LocalName*, std::size_t> locals_;  // their decisions
+    std::map<const LocalName*, std::size_t> locals_;  // indices of their decisions
 };
 
 bool fits(const SyntaxNode& function, const FunctionPlace& place) {
@@ -354,13 +354,13 @@ std::string_view unit_in(std::string_view field) {
 
 ObservedSource observe_function(const SyntaxTree& tree, const FunctionPlace& place, std::string_view hook) {
     const SyntaxNode* found = nullptr;
-    if (tree.error() != nullptr) return {.why = "its source text was not found"};
+    if (tree.error() != nullptr) return {.why = "the source text of the condition was not found"};
     for (const SyntaxNode& node : tree.nodes()) {
         if (!node.is(Kind::function) || !fits(node, place)) continue;
-        if (found != nullptr) return {.why = "several functions begin on its line"};
+        if (found != nullptr) return {.why = "several functions begin on the line of the condition"};
         found = &node;
     }
-    if (found == nullptr) return {.why = "its source text was not found"};
+    if (found == nullptr) return {.why = "the source text of the condition was not found"};
     Rewriter rewriter(tree, *found, hook);
     rewriter.observe();
     return {rewriter.text(), rewriter.constants(), std::move(rewriter.observed), ""};

@@ -10,15 +10,15 @@
 
 namespace nezumi {
 
-/// What a call of the hook is about. Its first argument is this and the number of the comparison, decision or path:
-/// number * `hook_calls` + call.
+/// The purpose of a call of the hook. The first argument of the call is N * `hook_calls` + purpose, where N is the
+/// number of the comparison, decision or path.
 enum class HookCall : unsigned char {
-    compare,  ///< (left, right): gives the result of the comparison
-    value,    ///< (...): a value that counts as true or false; gives all its arguments
-    contact,  ///< (X): gives X.collided
-    call,     ///< (function): the function that is called for the next value; gives what is called instead
-    decide,   ///< (...): the value of a decision; gives all its arguments
-    path,     ///< (X): gives the number X.a.b, found directly; nothing if it is not a number
+    compare,  ///< (left, right): returns the result of the comparison
+    value,    ///< (...): a value that counts as true or false; returns all its arguments
+    contact,  ///< (X): returns X.collided
+    call,     ///< (function): the function that is called for the next value; returns the one to call instead
+    decide,   ///< (...): the value of a decision; returns all its arguments
+    path,     ///< (X): returns the number X.a.b, found directly; nothing if it is not a number
 };
 
 inline constexpr std::size_t hook_calls = 6;
@@ -42,7 +42,7 @@ struct FunctionPlace {
 /// each `if` that contains a `return`, and locals that are set once, to a comparison or to `and`, `or`, `not`.
 ObservedSource observe_function(const SyntaxTree& tree, const FunctionPlace& place, std::string_view hook);
 
-/// The unit of an expression such as "mouse.truth.velocity.vx"; "" if the text does not tell it.
+/// The unit of an expression such as "mouse.truth.velocity.vx"; "" if the text does not show it.
 std::string_view unit_of(std::string_view expression);
 
 }  // namespace nezumi

@@ -53,7 +53,7 @@ void CoverageReport::add(const std::string& scenario, const std::vector<FileCove
     for (const FileCoverage& from : files) {
         File& file = files_[from.file];
         if (file.scenarios.empty()) file.hash = from.hash;
-        if (file.hash != from.hash) continue;  // it was changed meanwhile
+        if (file.hash != from.hash) continue;  // the file was changed during the session
         const auto same = [&](const auto& each) { return each.first == scenario; };
         auto found = std::find_if(file.scenarios.begin(), file.scenarios.end(), same);
         if (found == file.scenarios.end()) found = file.scenarios.insert(file.scenarios.end(), {scenario, {}});

@@ -18,7 +18,7 @@ class CoverageReport {
 public:
     /// Adds a run of this scenario.
     void add(const std::string& scenario, const std::vector<FileCoverage>& files);
-    /// Adds a file with this text that no scenario has loaded, unless one has.
+    /// Adds a file with this text as one that no scenario loads, unless a scenario has loaded it.
     void add_unloaded(const std::string& file, const std::string& text);
     bool empty() const { return files_.empty(); }
 
@@ -34,7 +34,7 @@ public:
 private:
     using Way = std::tuple<int, int, int>;  // line, number of the branch in its line, way
 
-    // How many runs, or scenarios, went there.
+    // For each line and each way, the number of runs or of scenarios that executed it.
     struct Counts {
         std::map<int, std::size_t> lines;
         std::map<Way, std::size_t> ways;
@@ -45,7 +45,7 @@ private:
     struct File {
         std::uint64_t hash = 0;
         std::vector<std::pair<std::string, Counts>>
-            scenarios;       // number of runs of each scenario; one without a name: none
+            scenarios;       // counts of runs for each scenario; one without a name: no scenario loads the file
         Counts all() const;  // number of scenarios
         bool is_loaded() const { return !scenarios.front().first.empty(); }
     };

@@ -26,7 +26,7 @@ public:
 
     Expectation(Terms terms, double started) : terms_(std::move(terms)), started_(started) {}
 
-    /// Adds the value of the condition at this time. Times must ascend. Only while the verdict is open.
+    /// Adds the value of the condition at this time. Times must ascend. Call it only while the verdict is open.
     Verdict add_sample(bool is_true, double now);
 
     const Terms& terms() const { return terms_; }
@@ -34,9 +34,9 @@ public:
     Verdict verdict() const { return verdict_; }
     /// "always 'never touches anything'".
     std::string title() const;
-    /// What was expected and when it failed; only if it failed.
+    /// What was expected and when it failed. Call it only if the verdict is `broken`.
     std::string explain() const;
-    /// The progress when time ran out.
+    /// The progress of an expectation that is still open when the time is over.
     std::string explain_open(double now) const;
 
 private:

@@ -1,4 +1,4 @@
-// A list in the order of their start.
+// Keeps the faults in a list, in the order of their begin.
 #include "bindings/scenario/faults.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Faults::Fault* Faults::last_of(std::string_view key) {
     return found != faults_.rend() ? &*found : nullptr;
 }
 
-// `over`, the latest fault of its key, is no longer in the list.
+// Ends the effect of `over`, which was the latest fault of its key and is no longer in the list.
 void Faults::go_on_without(const Fault& over) {
     if (over.effect.is_there && !over.effect.is_there()) return forget(over.key);
     const Fault* before = last_of(over.key);

@@ -14,16 +14,16 @@ namespace nezumi {
 class Faults {
 public:
     struct Effect {
-        std::function<void()> put;   ///< applies it again when the fault over it has ended
+        std::function<void()> put;   ///< applies the effect again when a later fault has ended
         std::function<void()> undo;  ///< called if no other fault of the key is left
-        std::function<bool()>
-            is_there{};  ///< whether it still exists, as something else may have replaced it; empty: always false
+        /// False: something else has replaced the effect, which then must not be undone. Empty: always true.
+        std::function<bool()> is_there{};
     };
     /// Adds a fault that has been applied. It ends between two ticks, `seconds` after `now`. Infinity: it ends when it
     /// is restored, and replaces the other faults of its key.
     void begin(std::string key, double now, double seconds, Effect effect);
     /// Adds an effect below the faults that is not a fault itself, such as a hold. It works again when the faults over
-    /// it have ended. Call it before those begin.
+    /// it have ended. Call this before these faults begin.
     void lies_under(std::string key, std::function<void()> put);
     /// Ends the faults whose time has come. Call it before every tick.
     void end_due(double now);

@@ -1,4 +1,4 @@
-// The files of a project with one more, which exists only in memory.
+// The files of a project, with an additional file that exists only in memory.
 #pragma once
 
 #include <filesystem>

@@ -61,7 +61,7 @@ std::optional<Robustness> robustness_of(const Formula& formula, const Observed& 
     std::optional<Robustness> found;
     for (const Formula& part : formula.parts) {
         const auto next = robustness_of(part, observed);
-        // Where two are equal, one that has numbers or a text decides.
+        // If two are equal, one that has a comparison decides.
         const bool takes = next && (!found || (least ? next->value < found->value : next->value > found->value) ||
                                     (next->value == found->value && found->decided == nullptr));
         if (takes) found = next;
@@ -93,7 +93,7 @@ void Observed::decide(std::size_t index, bool is_true) {
             if (distance.value < nearest.value || nearest.decided == nullptr) nearest = distance;
         }
     }
-    // In a loop they are evaluated again.
+    // A loop evaluates these comparisons again, and then must not see the old results.
     for (std::size_t i = decision.first; i < decision.last; ++i) comparisons[i].evaluated = false;
 }
 

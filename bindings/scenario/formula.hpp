@@ -27,7 +27,7 @@ struct Comparison {
     double right_value = 0;
     bool result = false;
     double robustness = 0;                ///< positive when true, negative when false; 0: at the limit
-    const Comparison* decided = nullptr;  ///< where the robustness comes from: of a call, within the function
+    const Comparison* decided = nullptr;  ///< the comparison that gave the robustness; for a call, one in its function
 };
 
 /// "<", ">=", "==", ...
@@ -58,13 +58,13 @@ struct Formula {
     std::vector<Formula> parts{};
 };
 
-/// Where a function takes its value, or chooses the statements that give it.
+/// A place where a function returns a value, chooses a branch or sets a local, and so decides its result.
 struct Decision {
     enum class Kind : unsigned char { result, branch, local };
     Kind kind = Kind::result;
     Formula formula{};
     std::optional<bool> literal{};              ///< a branch that only returns `true` or `false`
-    std::size_t first = 0, last = 0;            ///< its own comparisons
+    std::size_t first = 0, last = 0;            ///< its comparisons: from `first` to before `last`
     std::optional<Robustness> last_robustness;  ///< of its last evaluation
 };
 
@@ -72,7 +72,7 @@ struct Decision {
 struct Observed {
     std::vector<Comparison> comparisons;
     std::vector<Decision> decisions;
-    std::vector<std::string> paths;  ///< "truth.pose.position.x": what comparisons read of a local or upvalue
+    std::vector<std::string> paths;  ///< what comparisons read from locals or upvalues: "truth.pose.position.x"
     bool returns_only = false;       ///< `return EXPRESSION` is its only statement: it does not call `decide`
 
     /// Forgets what was evaluated.
@@ -83,7 +83,8 @@ struct Observed {
     Robustness finish(bool result);
 
 private:
-    // The value nearest to another way through the function, if the function would then return the other value.
+    // For each result of the function: the least robustness of a branch that, if taken otherwise, might change the
+    // result.
     Robustness nearest_[2]{};
     std::optional<Robustness> result_;
 };

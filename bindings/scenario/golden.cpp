@@ -20,7 +20,7 @@ constexpr std::size_t time_column = ~std::size_t{0};
 
 using RowTexts = std::vector<std::string>;
 
-// The rows as text, so that a text is never read as a number.
+// The rows with each cell as it is written, so that a text is never read as a number.
 std::vector<RowTexts> read_rows(const std::string& csv) {
     std::istringstream in(csv);
     std::vector<RowTexts> rows;
@@ -60,7 +60,7 @@ Expected<void> Golden::compare(const std::string& csv) const {
     for (const std::string& field : names) {
         const auto known = std::find(table_.names().begin(), table_.names().end(), csv_text(field));
         if (field != "time" && known == table_.names().end())
-            return failure(fmt::format("'{}' is only in the file", shown(field)));
+            return failure(fmt::format("the run has no column '{}', which the file has", shown(field)));
         ids.push_back(field == "time" ? time_column : static_cast<std::size_t>(known - table_.names().begin()));
     }
     for (std::size_t row = 0; row < std::min(rows_.size(), golden.size() - 1); ++row) {
@@ -91,7 +91,7 @@ Expected<void> GoldenOwners::add(const std::vector<GoldenUse>& uses, const std::
         const auto& [other, first] = owners_.try_emplace(use.file, Owner{run, use}).first->second;
         if (first.written == use.written) continue;
         return failure(
-            fmt::format("golden '{}': {}, {}:{}, has already written a different one there: choose another name",
+            fmt::format("golden '{}': {}, {}:{}, has already written other values to this file: choose another name",
                         std::filesystem::path(use.file).filename().string(), other, first.place.file, first.place.line),
             use.place);
     }

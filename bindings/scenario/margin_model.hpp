@@ -11,18 +11,18 @@ namespace nezumi {
 using Shares = std::vector<double>;
 
 /// Gaussian process regression (Rasmussen and Williams 2006, algorithm 2.1) with a Matern kernel, nu = 5/2. Each value
-/// has a length scale of its own (5.1, automatic relevance determination): the most likely of a few.
+/// has a separate length scale (5.1, automatic relevance determination): the most likely of a few.
 class MarginModel {
 public:
-    /// `values` are those at `places`: at least one, all with the same number of shares. Differences of a share that
-    /// `is_choice` count fully, of any size.
+    /// `values` are those at `places`: at least one, all with the same number of shares. All differences of a
+    /// share that `is_choice` count the same, whatever their size.
     MarginModel(std::vector<Shares> places, const std::vector<double>& values, std::vector<bool> is_choice);
     ~MarginModel();
     MarginModel(const MarginModel&) = delete;
     MarginModel& operator=(const MarginModel&) = delete;
 
     /// The place where the value may be least: mean minus `optimism` standard deviations. Found by NLopt: DIRECT-L
-    /// (Gablonsky and Kelley 2001), then Subplex (Rowan 1990). The same each time.
+    /// (Gablonsky and Kelley 2001), then Subplex (Rowan 1990). The result is the same in each call.
     Shares least_place(double optimism) const;
 
 private:

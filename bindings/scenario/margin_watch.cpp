@@ -61,7 +61,7 @@ ConditionMargin MarginWatch::result(const Expectation& expectation, const std::s
     const bool is_hold = expectation.terms().kind == Expectation::Kind::maintain;
     const auto& found = is_hold && expectation.verdict() != Verdict::kept ? best_ : nearest_;
     if (!found) {
-        result.why = nearest_ ? "the run ended during the hold" : "it was not evaluated";
+        result.why = nearest_ ? "the run ended during the hold" : "the condition was not evaluated";
         return result;
     }
     result.time = found->time;

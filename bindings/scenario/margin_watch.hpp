@@ -22,7 +22,7 @@ public:
     /// Call it with each sample, after the expectation. `deadline` [s]: when the event must have happened.
     void add(const Expectation& expectation, const Robustness& robustness, bool is_true, double now, double deadline);
 
-    /// What the next sample is asked for; nothing if it must be exact.
+    /// How exact the robustness of the next sample must be; nothing: always exact.
     std::optional<LeastAsked> asked(Expectation::Kind kind) const;
 
     /// `why` is the reason if the numbers of the condition are unknown.

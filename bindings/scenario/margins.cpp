@@ -72,7 +72,7 @@ std::string text_of(const MarginSummary& summary) {
         return fmt::format(", at {} of {}", text_of_time(least.time), least.run);
     };
     std::string values;
-    // A deadline that was met says more than the number that met it.
+    // If a deadline was met, the time left is more useful than the number that met it.
     const bool met = summary.earliest && summary.kind != "maintain";
     if (summary.least && (!met || summary.least->value < 0))
         values = fmt::format("least margin {} {}{}", runs, text_of_number(summary.least->value, summary.unit),

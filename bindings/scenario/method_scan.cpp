@@ -69,7 +69,7 @@ private:
         if (!is_new) known->second = nullptr;
     }
 
-    // The function of an expression or of a name gets the scenario as its argument of this number, from 0.
+    // `given` is a function, or a variable with one: its argument of this number, from 0, is the scenario.
     void follow(const SyntaxNode* given, std::size_t argument) {
         if (given != nullptr && given->is(Kind::name)) {
             const auto found = functions_.find(variable(*given));

@@ -21,7 +21,7 @@ std::string unknown_method(std::string_view object, std::string_view name,
 std::vector<Error> unknown_methods(std::string_view text, const std::string& shown,
                                    const std::vector<std::string_view>& methods);
 
-/// The scenarios that call `s:any`, or a method of this name of anything else.
+/// The scenarios that call `s:any`, or a method `any` of any other object.
 struct DrawingScenarios {
     bool all = false;     ///< a function outside of all scenarios calls it
     std::set<int> lines;  ///< of the calls `scenario(...)` that contain such a call

@@ -1,5 +1,5 @@
-// Changes a behaviour, one place at a time, and checks whether its scenarios notice. Each change is a task in a process
-// of its own, which reads the changed text in place of the file.
+// Changes a behaviour, one place at a time, and checks whether its scenarios notice. Each change is a task in a
+// separate process, which reads the changed text in place of the file.
 #include "bindings/scenario/mutate.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ struct Candidate {
     double seconds;  // that it takes
     std::vector<CoveredLine> lines;
 
-    // Whether it executes a line. A line without statements counts as executed.
+    // Whether the run executes a line. A line without statements counts as executed.
     bool executes(int line) const {
         const auto found =
             std::find_if(lines.begin(), lines.end(), [&](const auto& each) { return each.line == line; });
@@ -64,7 +64,8 @@ Expected<std::vector<Candidate>> candidates_of(const TestPlan& plan, const std::
         if (!result || result->outcome != RunOutcome::passed) {
             const Error& error = result ? result->error : result.error();
             if (!failed)
-                failed = {fmt::format("--mutate: '{}' must pass first: {}", plan.runs[task].name, describe(error))};
+                failed = {fmt::format("--mutate: '{}' must pass without a change: {}", plan.runs[task].name,
+                                      describe(error))};
             return;
         }
         for (const FileCoverage& each : result->coverage) {
@@ -115,7 +116,7 @@ Expected<MutationReport> mutate(const TestPlan& plan, const fs::path& file, cons
     MutationReport report{.file = fs::weakly_canonical(file, none).lexically_relative(root).string()};
     const std::string_view source = without_preamble(*text);
     const std::vector<Mutation> mutations = mutations_of(source);
-    if (mutations.empty()) return failure("--mutate: it has nothing to change", {file.string()});
+    if (mutations.empty()) return failure("--mutate: this file contains nothing that can be changed", {file.string()});
     const auto candidates =
         candidates_of(plan, report.file, ScriptFile({"", "", *text}).hash, options, report.interrupted);
     if (!candidates) return Unexpected(candidates.error());
@@ -141,7 +142,7 @@ Expected<MutationReport> mutate(const TestPlan& plan, const fs::path& file, cons
     };
     tasks.take = [&](std::size_t task, const Expected<std::string>& answer) {
         TriedMutation& tried = report.tried[task];
-        // A crash of the process would be noticed too.
+        // A crash of the process counts as noticed.
         tried.is_run = !answer || answer->front() == '+';
         tried.noticed = !answer || answer->size() > 1;
         tried.by = answer ? answer->substr(1) : answer.error().message;

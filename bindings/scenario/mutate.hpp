@@ -1,4 +1,4 @@
-// Changes one place of a behaviour at a time, and looks whether its scenarios notice.
+// Changes one place of a behaviour at a time, and checks whether its scenarios notice the change.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The files of a project, with a note of all that were looked for.
+// The files of a project. Records which files were looked for.
 #pragma once
 
 #include <filesystem>

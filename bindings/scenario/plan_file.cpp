@@ -1,4 +1,4 @@
-// Stores the plan of a session that runs in parts. Each part writes the same bytes to a file of its own, so parts may
+// Stores the plan of a session that runs in parts. Each part writes the same bytes to a separate file, so parts may
 // share a folder.
 #include "bindings/scenario/plan_file.hpp"
 
@@ -170,7 +170,7 @@ Expected<KeptPlan> find_plan(const std::vector<fs::path>& folders) {
     }
     auto kept = plan_from_bytes(first);
     if (kept) return std::move(*kept);
-    return failure("has no plan that this nezumi can read", {.file = first_folder.string()});
+    return failure("has no plan that this version of nezumi can read", {.file = first_folder.string()});
 }
 
 }  // namespace nezumi

@@ -24,7 +24,7 @@ struct KeptPlan {
     std::string words;  ///< options that are needed to repeat a run, besides its name and seed
 };
 
-/// To bytes and back. Returns nothing for bytes that `to_bytes` did not make.
+/// Convert a plan to bytes and back. `plan_from_bytes` returns nothing for bytes that `to_bytes` did not make.
 std::string to_bytes(const KeptPlan& kept);
 std::optional<KeptPlan> plan_from_bytes(std::string_view bytes);
 

@@ -52,7 +52,7 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
                           .spectator = options.spectator,
                           .coverage = covered});
     RunResult result = scenario.run();
-    // Also files that failed to load, and missing files: a save may correct them.
+    // Includes files that failed to load, and missing files: saving them may correct the run.
     const std::vector<std::string> looked_for = reads();
     result.reads.insert(result.reads.end(), looked_for.begin(), looked_for.end());
     return result;
@@ -86,7 +86,7 @@ RunResult agree(std::vector<RunResult> results, const Place& place) {
         if (results[i].hash == first.hash && results[i].outcome == first.outcome) continue;
         if (first.outcome == RunOutcome::could_not_run) break;
         if (results[i].outcome == RunOutcome::could_not_run) return std::move(results[i]);
-        first.error = {fmt::format("the same run differs: {}",
+        first.error = {fmt::format("repetitions of this run differ: {}",
                                    difference_of("the first", first, fmt::format("number {}", i + 1), results[i])),
                        place};
         first.outcome = RunOutcome::failed;
@@ -112,7 +112,7 @@ RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const TestSes
     std::unique_ptr<RunFiles> files;
     if (folder && options.files) files = options.files(*folder);
     RunResult again = run_once(file, run, options, files.get(), true, first.has_value());
-    // Without the journal, if a system's text is not the same system.
+    // A world that is built from text, for the journal, may differ: the run is made again without the journal.
     if (first && folder && (again.hash != first->hash || again.outcome != first->outcome)) {
         if (options.files) files = options.files(*make_failure_folder(*folder));
         again = run_once(file, run, options, files.get(), true, false);

@@ -1,4 +1,4 @@
-// fork, a pipe for the answer, and poll.
+// Uses fork, a pipe for each answer, and poll.
 #include "bindings/scenario/process_pool.hpp"
 
 #include <fcntl.h>
@@ -28,8 +28,8 @@ struct Running {
     std::string answer;
 };
 
-// Makes SIGINT, SIGTERM and SIGHUP readable as a file while it lives. Without a file descriptor for it, these signals
-// end the program and its children as usual.
+// During its lifetime, SIGINT, SIGTERM and SIGHUP can be read from a file descriptor. If there is no free file
+// descriptor, these signals end the program and its children as usual.
 class StopSignals {
 public:
     StopSignals() {
@@ -50,7 +50,7 @@ public:
     StopSignals& operator=(const StopSignals&) = delete;
 
     int file() const { return file_; }
-    // A signal that waits would arrive as soon as it is unblocked.
+    // Removes the signals that wait, because they would arrive as soon as they are unblocked.
     void take() const {
         signalfd_siginfo signal{};
         while (read(file_, &signal, sizeof signal) > 0) {
@@ -59,7 +59,7 @@ public:
     void restore() const { sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
 private:
-    // As with nohup: an ignored signal would arrive if it were blocked.
+    // An ignored signal, as with nohup, must not be blocked: it could then be read, and would end the runs.
     static bool is_ignored(int signal) {
         struct sigaction action {};
         return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
@@ -96,7 +96,7 @@ bool write_all(int file, const std::string& bytes) {
 
 Expected<Running> start(const PoolTasks& tasks, std::size_t task, const StopSignals& signals) {
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) return failure(fmt::format("no pipe: {}", std::strerror(errno)));
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return failure(fmt::format("can't make a pipe: {}", std::strerror(errno)));
     std::fflush(nullptr);
     const pid_t process = fork();
     if (process == 0) {
@@ -125,7 +125,7 @@ Expected<std::string> collect(Running& running) {
     return std::move(running.answer);
 }
 
-// Reads what is available. False: it was the end.
+// Reads what is available. Returns false at the end of the answer.
 bool read_some(Running& running) {
     std::array<char, 65536> buffer{};
     const ssize_t got = read(running.pipe, buffer.data(), buffer.size());
@@ -151,7 +151,7 @@ Expected<std::string> stop(Running& running) {
 PoolEnd run_in_processes(const PoolTasks& tasks, std::size_t jobs) {
     const StopSignals signals;
     std::vector<Running> running;
-    std::map<std::size_t, Expected<std::string>> done;  // out of order
+    std::map<std::size_t, Expected<std::string>> done;  // answers that wait for those of earlier tasks
     std::size_t next = 0;
     std::size_t taken = 0;
     std::size_t over = 0;

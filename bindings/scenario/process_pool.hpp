@@ -1,4 +1,4 @@
-// Runs tasks in processes of their own, several at a time. A crash ends one task only.
+// Runs each task in a separate process, several at a time. A crash ends only one task.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@ enum class PoolEnd {
 
 struct PoolTasks {
     std::size_t count = 0;
-    /// Runs in a process of its own, a copy of this one; its result is sent back.
+    /// Called in a separate process, a copy of this one. The result is sent back.
     std::function<std::string(std::size_t task)> run;
-    /// Gets the answers in the order of the tasks. An error says how the process ended instead. After an interruption
-    /// it gets the answers of all finished tasks.
+    /// Gets the answers in the order of the tasks. An error describes how the process ended instead. After an
+    /// interruption it gets the answers of all finished tasks.
     std::function<void(std::size_t task, Expected<std::string> answer)> take;
     /// Called after each task with the number of finished tasks, in any order; may be empty.
     std::function<void(std::size_t done)> progress{};

@@ -1,4 +1,4 @@
-// Recorded runs in scenarios, as the program that runs scenarios provides them.
+// The interface to recorded runs, which the program that runs scenarios provides.
 #pragma once
 
 #include <filesystem>
@@ -26,10 +26,10 @@ public:
 /// The judged behaviour, and the recorded run.
 struct JudgeRequest {
     std::string behavior{};                    ///< its file, or its name
-    std::string component{};                   ///< recorded; "" for the one with this file
+    std::string component{};                   ///< the recorded component; "" for the one with this file
     std::string run{};                         ///< the recording or journal
-    std::map<std::string, std::string> map{};  ///< topics by names of ports, for other recordings
-    double tolerance = 1e-6;                   ///< largest difference of equal numbers
+    std::map<std::string, std::string> map{};  ///< topics by names of ports, for recordings of other programs
+    double tolerance = 1e-6;                   ///< largest difference at which two numbers count as equal
 };
 
 class Recordings {
@@ -40,8 +40,8 @@ public:
     virtual Expected<std::unique_ptr<RecordedWorld>> open(const std::filesystem::path& file,
                                                           const std::map<std::string, std::string>& ports,
                                                           LiveOptions options) const = 0;
-    /// What the behaviour writes otherwise than in the recorded run, one line for each difference; nothing if it writes
-    /// the same. Files in `request` are paths.
+    /// The differences between the outputs of the behaviour and those of the recorded run, one line for each; empty if
+    /// there are none. Files in `request` are paths.
     virtual Expected<std::vector<std::string>> judge(const JudgeRequest& request) const = 0;
 };
 

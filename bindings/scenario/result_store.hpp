@@ -35,7 +35,7 @@ struct ResultKey {
     std::uint64_t seed = 0;        ///< of the run
 };
 
-/// A result, and the name and seed of its run, which is another run for a simplest failure.
+/// A result, and the name and seed of its run. For a simplest failure, this is not the planned run.
 struct KeptResult {
     std::string name;
     RunResult result;

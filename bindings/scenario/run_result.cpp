@@ -19,7 +19,7 @@ bool all_fields(Archive& archive, Result& result) {
            archive(result.hash);
 }
 
-// Bytes of another machine may contain anything.
+// Checks values, because bytes from another machine may contain anything.
 bool is_possible(const RunResult& result) {
     const auto is_finite = [](const Measure& measure) { return std::isfinite(measure.value); };
     const auto has_finite = [](const ConditionMargin& margin) {

@@ -16,8 +16,8 @@ namespace nezumi {
 enum class RunOutcome : unsigned char {
     passed,
     failed,
-    could_not_run,  ///< the run says nothing about the tested behaviour: a file is missing, a script does not end, or
-                    ///< it crashed
+    could_not_run,  ///< the run does not show how good the tested behaviour is: a file is missing, a script does not
+                    ///< end, or it crashed
 };
 
 /// A number that a run records with `s:measure`.
@@ -73,7 +73,7 @@ struct RunResult {
     std::vector<Measure> measures{};         ///< in the order of `s:measure`, each name once
     std::vector<DrawnValue> drawn{};         ///< in the order of `s:any`; of a search, all values of the run
     std::vector<GoldenUse> goldens{};        ///< each file once
-    std::vector<FileCoverage> coverage{};    ///< of the files that it loaded, if it was asked for
+    std::vector<FileCoverage> coverage{};    ///< of the files that it loaded, if coverage is on
     std::string folder;                      ///< the folder of a failure's files; empty: there are none
     std::vector<std::string> files;          ///< their names
     std::vector<std::string> reads{};        ///< paths of the files that its worlds have read, sorted
@@ -84,7 +84,7 @@ struct RunResult {
     bool operator==(const RunResult&) const = default;
 };
 
-/// To bytes and back. Bytes that `to_bytes` did not make give an error.
+/// Convert a result to bytes and back. Bytes that `to_bytes` did not make give an error.
 std::string to_bytes(const RunResult& result);
 Expected<RunResult> from_bytes(std::string_view bytes);
 

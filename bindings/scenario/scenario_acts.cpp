@@ -37,7 +37,7 @@ std::string_view text_or_empty(lua_State* lua, int index) {
 
 Expected<ActResult> act_on(RunningSystem* live, const Act& what) { return live->act(what, scenario_actor); }
 
-// The act that sets an override to its present value.
+// The act that puts the present override of a port into effect again.
 Act act_of(Override kind, const std::string& path, const Port& port) {
     switch (kind) {
         case Override::held: return Hold{path, port.override_value()};
@@ -79,7 +79,7 @@ int ScenarioRun::Methods::load(ScenarioRun& run, lua_State* lua) {
 }
 
 int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
-    if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "expected the name of a CSV file beside the scenario's");
+    if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "expected the name of a CSV file beside the scenario file");
     const std::string name = golden_name(text_or_empty(lua, 2), run.values());
     GoldenOptions options;
     const bool has_options = lua_type(lua, 3) == LUA_TTABLE;
@@ -116,7 +116,7 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     if (!at) return raise(run, at.error().message);
     const ScriptFile* script = at->component->script_file();
     if (script == nullptr)
-        return raise(run, fmt::format("{} has no script: only behaviours reload", at->component->name()));
+        return raise(run, fmt::format("{} has no script: only behaviours can be reloaded", at->component->name()));
     ReloadOptions source;
     if (auto ok = read_options(lua, 3, FieldCheck::of_options("reload"), source); !ok)
         return raise(run, ok.error().message);
@@ -167,7 +167,7 @@ int ScenarioRun::Methods::port_fault(ScenarioRun& run, lua_State* lua, Override 
     const Act restored = act_of(before, path, *at->port);
     const Act fault = act_of(kind, path, *at->port);
     if (auto done = act_on(at->live, fault); !done) return raise(run, done.error().message);
-    // A hold or a release has replaced the faults before.
+    // If the port is now held or free, a hold or release has replaced its earlier faults.
     if (before == Override::held || before == Override::none) run.faults_.forget(key);
     if (before != Override::none && !run.faults_.has(key)) run.faults_.lies_under(key, later(at->live, restored));
     const auto is_there = [live = at->live, path, kind] {
@@ -186,7 +186,7 @@ int ScenarioRun::Methods::release(ScenarioRun& run, lua_State* lua) {
         const Override kind = at->port->override();
         if (kind != Override::held && kind != Override::none && run.faults_.has(key)) {
             if (run.faults_.forget_under(key)) return 0;
-            return raise(run, fmt::format("{} is {}, not held: s:restore ends that", at->path(), to_text(kind)));
+            return raise(run, fmt::format("{} is {}, not held: to end that, use s:restore", at->path(), to_text(kind)));
         }
     }
     return act_on_port(run, lua, "release");
@@ -247,7 +247,7 @@ int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
         if (dynamic_cast<const Robot*>(component->component) == nullptr)
             return raise(run, fmt::format("{} is not a robot: expected a robot, or a port as in \"{}.NAME\"",
                                           component->component->name(), component->component->name()));
-        // Ends presses, pushes and the faults of its ports.
+        // Ends presses, forced velocities and the faults of its ports.
         run.faults_.restore(key_of(component->live, component->component->name()));
         for (const auto& port : component->component->in_ports())
             run.faults_.restore(key_of(component->live, component->component->name() + "." + port->name()));

@@ -14,7 +14,7 @@
 #include "engine/ports/payload.hpp"
 
 namespace nezumi {
-// A value that the run was given by its name, or one from the run's seed.
+// Draws values: those in the name of the run if it contains them, otherwise new ones from the seed of the run.
 int ScenarioRun::Methods::any(ScenarioRun& run, lua_State* lua) {
     if (lua_type(lua, 2) != LUA_TSTRING)
         return raise(run, fmt::format("expected a name, as in s:any(\"gust\", {{ at = range(0, 10) }}), got {}",
@@ -45,7 +45,9 @@ int ScenarioRun::Methods::any(ScenarioRun& run, lua_State* lua) {
         const Sweep one{.keys = {key}, .samples = 1};
         auto drawn = given == point.end() ? std::optional(draw_point(one, mix(run.settings_.seed, key.name), 0))
                                           : find_point(one, fmt::format("[{}={}]", key.name, given->second.text));
-        if (!drawn) return raise(run, fmt::format("'{}': '{}' can't be {}", name, field, shown(given->second.text)));
+        if (!drawn)
+            return raise(run, fmt::format("'{}': '{}' can't have the value {}, which the name of the run gives", name,
+                                          field, shown(given->second.text)));
         run.result_.drawn.push_back(drawn_values(one, *drawn).front());
         values.emplace_back(field, std::move(drawn->front().second));
     }

@@ -40,7 +40,7 @@ struct Describe<Scenario> {
               "integer",
               "",
               "the seed of every run, as `nezumi run --seed` takes it",
-              {.fallback = "each run's own, made from the session's and its name"}},
+              {.fallback = "a separate seed for each run, from the session's seed and the run's name"}},
         Extra{
             "search",
             "integer",
@@ -123,7 +123,7 @@ struct RecordedOptions {};
 template <>
 struct Describe<RecordedOptions> {
     static constexpr std::string_view name = "recorded_options";
-    static constexpr std::string_view doc = "Options of a recording that is looked at.";
+    static constexpr std::string_view doc = "Options of a recorded run.";
     static constexpr FieldList fields{
         Extra{
             "map",
@@ -138,7 +138,7 @@ struct Describe<RecordedOptions> {
 template <>
 struct Describe<JudgeRequest> {
     static constexpr std::string_view name = "judge_options";
-    static constexpr std::string_view doc = "A behaviour, and the recorded run that it is judged by.";
+    static constexpr std::string_view doc = "A behaviour, and the recorded run that it is compared with.";
     static constexpr FieldList fields{
         Setting{"behavior", &JudgeRequest::behavior, "", "its file, or its name", {.required = true}},
         Setting{"component",
@@ -152,13 +152,13 @@ struct Describe<JudgeRequest> {
         Setting{"tolerance",
                 &JudgeRequest::tolerance,
                 "",
-                "largest difference of equal numbers",
+                "largest difference at which two numbers count as equal",
                 {.range = NumberRange::not_negative, .most = 1e300}},
         Internal{&JudgeRequest::map},
     };
 };
 
-/// The options of `s:reload`: one of them.
+/// The options of `s:reload`: exactly one of them is set.
 struct ReloadOptions {
     std::optional<std::string> file;
     std::optional<std::string> text;
@@ -167,9 +167,9 @@ struct ReloadOptions {
 template <>
 struct Describe<ReloadOptions> {
     static constexpr std::string_view name = "reload_options";
-    static constexpr std::string_view doc = "Where a behaviour's new version is: one of these.";
+    static constexpr std::string_view doc = "The new version of a behaviour: one of these fields.";
     static constexpr FieldList fields{
-        Setting{"file", &ReloadOptions::file, "", "its script, found as a system file finds one"},
+        Setting{"file", &ReloadOptions::file, "", "the name of its script, searched as in a system file"},
         Setting{"text", &ReloadOptions::text, "", "the script itself"},
     };
 };

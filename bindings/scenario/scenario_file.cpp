@@ -48,7 +48,7 @@ Expected<std::vector<std::string>> names_of(lua_State* lua, int index, std::stri
     return names;
 }
 
-// A range, or a list of plain data, at `values` on top of the stack.
+// Reads a range, or a list of plain data, at `values` on top of the stack.
 Expected<SweepKey> read_values(lua_State* lua, int values, const std::string& name, const std::string& what,
                                const Budget& budget) {
     SweepKey key{name, {}};
@@ -319,10 +319,10 @@ Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& s
         if (options.whole("seed", seed, 0, std::numeric_limits<std::int64_t>::max())) {
             scenario.seed = static_cast<std::uint64_t>(seed);
             if (has_seeds)
-                options.check().explain({"seeds"}, "'seed' gives all runs the same one: leave out one of them");
+                options.check().explain({"seeds"}, "'seed' gives all runs the same seed: leave out 'seed' or 'seeds'");
         }
         if (options.whole("search", search, 1, static_cast<std::int64_t>(most_runs))) {
-            const std::string_view why = "'search' chooses the runs: leave out one of them";
+            const std::string_view why = "'search' chooses the runs: leave out one of these options";
             if (has_samples) options.check().explain({"samples"}, std::string(why));
             if (has_seeds) options.check().explain({"seeds"}, std::string(why));
             if (options.gives("paired")) options.check().explain({"paired"}, std::string(why));
@@ -383,7 +383,7 @@ Expected<void> ScenarioFile::read_sweep(lua_State* lua, int index, Scenario& sce
     if (drawn) {
         scenario.sweep.samples = default_samples;
     } else if (runs > static_cast<double>(most_runs)) {
-        return failure(fmt::format("option 'sweep' makes {} runs, more than {}", runs, most_runs));
+        return failure(fmt::format("option 'sweep' makes {} runs, more than the limit of {}", runs, most_runs));
     }
     return {};
 }

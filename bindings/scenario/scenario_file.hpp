@@ -30,11 +30,11 @@ struct Scenario {
     Place place;
     double timeout = default_timeout;  ///< [s] of simulated time
     Sweep sweep;
-    std::size_t seeds = 0;                ///< each combination is made so often, with different seeds; 0: once
+    std::size_t seeds = 0;                ///< number of runs of each combination, with different seeds; 0: one run
     std::optional<std::uint64_t> seed{};  ///< of every run; nothing: each run has its own
     std::size_t search = 0;               ///< number of runs that a search chooses; 0: all runs are planned
     bool draws = false;                   ///< its text calls `s:any`
-    std::string paired{};                 ///< runs that differ in this key alone have the same seed; "": none have
+    std::string paired{};                 ///< runs that differ only in this key have the same seed; "": none
 };
 
 /// Checks that the runs of a scenario can be compared in pairs by this key: the sweep has a list of its values.

@@ -31,7 +31,7 @@ bool is_object(lua_State* lua, int index) {
     return same;
 }
 
-// Methods that need no world.
+// Whether a method needs no world.
 bool is_early(const std::vector<SystemWord>& words, std::string_view name) {
     constexpr std::string_view others[] = {"check", "near",     "equal", "measure", "now",
                                            "load",  "recorded", "judge", "any"};
@@ -42,7 +42,7 @@ bool is_early(const std::vector<SystemWord>& words, std::string_view name) {
 // Words of system files that have no effect in a scenario: `s.seed` is the seed of the run, and the sweep gives values.
 bool is_of_files_alone(std::string_view word) { return word == "seed" || word == "argument"; }
 
-// Methods that let time pass, or wait.
+// Whether a method lets time pass, or waits.
 bool needs_time(std::string_view name) {
     constexpr std::string_view all[] = {"always", "never", "wait_until", "eventually", "maintain", "run"};
     return std::find(std::begin(all), std::end(all), name) != std::end(all);
@@ -93,7 +93,7 @@ std::vector<std::string_view> ScenarioRun::Methods::names(const PeerWords& peer_
 // Upvalue: the run.
 int ScenarioRun::Methods::newindex(lua_State* lua) {
     auto& run = *static_cast<ScenarioRun*>(lua_touserdata(lua, lua_upvalueindex(1)));
-    raise(run, "s: its members can't be set: keep what you need in a local");
+    raise(run, "members of s can't be set: keep values in a local variable");
     note_diagnostic(run, lua);
     return raise_kept(lua);
 }
@@ -310,7 +310,7 @@ int ScenarioRun::Methods::equal(ScenarioRun& run, lua_State* lua) {
         fmt::format("equal failed: {} is not the expected {}", inspect(lua, 2, line), inspect(lua, 3, line));
     if (!where.empty()) text += fmt::format(" (they differ at {})", where);
     if (is_nan(lua, 2) || is_nan(lua, 3))
-        text += " (nan is not equal to anything, not even to nan: s:check(x ~= x) expects it)";
+        text += " (nan is not equal to anything, not even to nan: to expect nan, write s:check(x ~= x))";
     if (!lua_isnoneornil(lua, 4)) text += fmt::format(": {}", string_at(lua, 4));
     fails(run, lua, std::move(text));
     return end_run;

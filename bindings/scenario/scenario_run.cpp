@@ -110,7 +110,7 @@ RunResult ScenarioRun::run() {
             for (const auto& [name, value] : settings_.point) {
                 const auto is_its = [&name = name](const SweepKey& key) { return key.name == name; };
                 if (std::none_of(scenario_.sweep.keys.begin(), scenario_.sweep.keys.end(), is_its))
-                    continue;  // of s:any
+                    continue;  // a value of s:any, which is no value of the sweep
                 lua_pushlstring(inside, name.data(), name.size());
                 push_plain(inside, value.data);
                 lua_rawset(inside, -3);
@@ -145,7 +145,7 @@ void ScenarioRun::take_outcome(const CallResult& called) {
     }
     if (auto ok = settle(); !ok) return stop(RunOutcome::could_not_run, ok.error());
     if (!check_components()) return;
-    // A condition that no tick has followed is evaluated once now, because it must be able to fail.
+    // A condition that was added after the last tick is evaluated once now, because it must be able to fail.
     for (const auto& watch : watches_) {
         if (!watch->sampled && !sample(file_.state().lua(), *watch)) return;
     }

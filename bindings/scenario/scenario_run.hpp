@@ -37,7 +37,7 @@ public:
     virtual void begin(std::size_t world, RunningSystem& live, bool is_journaled) = 0;
     /// A world begins that is a recording, of this file.
     virtual void begin_recorded(std::size_t world, RunningSystem& live, const std::filesystem::path& recording) = 0;
-    /// Its journal can't be replayed any more.
+    /// The journal of a world can't be replayed any more.
     virtual void drop_journal(std::size_t world) = 0;
     /// A world has made a tick.
     virtual void after_tick(std::size_t world) = 0;
@@ -60,7 +60,7 @@ struct RunSettings {
     bool keep_journal = false;               ///< builds worlds so that their journals can be replayed
     bool keep_history = false;               ///< for plots; takes memory that grows with the run
     bool update_goldens = false;             ///< writes the goldens instead of comparing with them
-    Spectator* spectator = nullptr;          ///< watches the run; null: nobody
+    Spectator* spectator = nullptr;          ///< watches the run; may be null
     Coverage* coverage = nullptr;            ///< notes which lines of scripts run; null: not needed
 };
 
@@ -157,7 +157,7 @@ private:
     const Scenario& scenario_;
     std::size_t index_;
     RunSettings settings_;
-    std::unique_ptr<ScriptHost> covered_scripts_;  // null: no coverage is asked for
+    std::unique_ptr<ScriptHost> covered_scripts_;  // null: coverage is off
     std::deque<FilesWithText> texts_;              // of systems that journals need; they outlive the worlds
     Worlds worlds_;                                // declared before the members that refer to them
     std::deque<Described> described_;              // a deque, because addresses must not change
@@ -169,7 +169,7 @@ private:
     std::vector<std::unique_ptr<Watched>> watches_;
     std::vector<std::unique_ptr<Watched>> waits_;
     std::set<std::pair<const RunningSystem*, std::string>> allowed_errors_;  // components that may go to ERROR
-    std::vector<PortAt> read_ports_;                                         // since the start of the last sample
+    std::vector<PortAt> read_ports_;                                         // read since the last sample began
     double asked_until_ = 0;  // [s] end time of the last s:run, which may be between two ticks
     std::size_t printed_bytes_ = 0;
     bool sampling_ = false;  // a condition is running

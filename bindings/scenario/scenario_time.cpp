@@ -11,7 +11,7 @@
 
 namespace nezumi {
 
-// There is nothing more to look at.
+// Ends the run, because its recording has ended.
 bool ScenarioRun::stop_at_end(const Watched* waiting) {
     std::string text = fmt::format("the recording has ended, at {}", text_of_time(worlds_.now()));
     if (waiting != nullptr) text += "; " + waiting->expectation.explain_open(worlds_.now());
@@ -117,7 +117,7 @@ bool ScenarioRun::check_components() {
             stop(RunOutcome::failed, {text, error.place});
             result_.component_failed = true;
             result_.facts.push_back(
-                fmt::format("s:allow_error(\"{}\") before that lets the scenario continue", component->name()));
+                fmt::format("to let the scenario continue, call s:allow_error(\"{}\") before", component->name()));
         }
     }
     return !stopped_;
@@ -163,7 +163,7 @@ void ScenarioRun::tell_ports(const std::vector<PortAt>& ports) {
     };
     for (const PortAt& at : ports) tell(*at.live, *at.component, *at.port);
     if (!told.empty()) return;
-    // It has read no port, so all published values are shown.
+    // The condition has read no port, so all published values are shown.
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
         const RunningSystem& live = worlds_[i];
         for (const auto& component : live.system().components()) {

@@ -48,7 +48,7 @@ void merge(SystemSpec& spec, const SystemSpec& more) {
     }
 }
 
-// `s:load(file, { robots = { mouse = { noise = 0.05 } } })`.
+// Applies the options of `s:load(file, { robots = { mouse = { noise = 0.05 } } })`.
 Expected<void> change_robots(SystemSpec& spec, const Value& options, const Project& project, const Place& place) {
     FieldCheck check("load", "load", place, nullptr, "option");
     Fields fields(check, options);
@@ -104,7 +104,7 @@ Expected<void> ScenarioRun::settle() {
     return must_rebuild ? rebuild(present) : add_new(present);
 }
 
-// A world that can't be built ends the run as not possible.
+// A world that can't be built ends the run with `could_not_run`.
 Expected<void> ScenarioRun::settle_or_note() {
     auto settled = settle();
     if (!settled) {
@@ -141,7 +141,7 @@ RunningSystem& ScenarioRun::current() {
     return is_described ? *described_.back().live : worlds_[worlds_.size() - 1];
 }
 
-// The parts of a driver that is a script depend on whether its robot is real.
+// Adds the drivers that are scripts. Their components depend on whether the robot is real.
 Expected<void> ScenarioRun::add_drivers(SystemSpec& spec) {
     const bool has_script = std::any_of(spec.models.begin(), spec.models.end(),
                                         [](const auto& model) { return !model.second.hardware.script.empty(); });
@@ -183,7 +183,7 @@ std::unique_ptr<RunningSystem> ScenarioRun::load_from_text(const Described& desc
     const SystemSpec& spec = described.words->spec();
     const fs::path root = described.project->root();
     const ProjectFiles& files = *options.files;
-    // Its files are found from the folder of the described file, as before.
+    // The files of the system are searched from the folder of the described file, as before.
     const auto full = [&](const fs::path& path) { return (files.working_folder() / path).lexically_normal(); };
     fs::path folder = full(fs::path(spec.file).parent_path());
     const bool is_in_project = root.empty() || folder.string().starts_with(full(root).string());
@@ -251,7 +251,8 @@ Expected<void> ScenarioRun::load(const std::string& name, const Expected<Value>&
     }
     const auto path = file_.project().find(FileKind::system, name, place.file);
     if (!path) return failure("load: " + path.error().message, place);
-    // A system of another project is read as part of that project; additions of the scenario belong to its own.
+    // A system of another project is read as part of that project. Additions of the scenario belong to the scenario's
+    // project.
     const Project theirs = Project::of(*path, file_.project().installed(), file_.project().files());
     auto spec = read_system_file(*path, theirs,
                                  {.seed = settings_.seed,

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t first_round = 12;
 constexpr std::size_t most_corners = 8;
-// How far below the mean of the model a point counts, in standard deviations: near the best ones, and where few are.
+// How many standard deviations below the mean of the model a point counts: 0 chooses points near the best ones, 2 also
+// points where few others are.
 constexpr double least_optimism = 0.0;
 constexpr double exploring_optimism = 2.0;
 constexpr std::size_t most_modelled = 100;  // points of a model: the nearest to failing, and the latest
@@ -28,7 +29,7 @@ std::vector<SweepValue> choices_of(const DrawnValue& drawn) {
     return values;
 }
 
-// The number of all points; nothing if there is no end of them.
+// The number of all points; nothing if there are too many to choose all of them.
 std::optional<std::size_t> size_of(const Sweep& sweep) {
     constexpr double most = 10'000;
     double size = sweep.keys.empty() ? most : 1;
@@ -42,7 +43,7 @@ std::optional<std::size_t> size_of(const Sweep& sweep) {
     return size < most ? std::optional(static_cast<std::size_t>(size)) : std::nullopt;
 }
 
-// After so many random points, each of so many has been drawn.
+// The number of random points to try, so that probably each of `size` points has been drawn.
 std::size_t tries_of(const std::optional<std::size_t>& size) { return 20 * size.value_or(1); }
 
 }  // namespace
@@ -66,7 +67,7 @@ SweepPoint with_drawn(SweepPoint point, const std::vector<DrawnValue>& drawn) {
         if (found == point.end()) {
             point.emplace_back(each.name, std::move(value));
         } else {
-            found->second = std::move(value);  // a name of a run has texts
+            found->second = std::move(value);  // the name of a run has given only the text of this value
         }
     }
     return point;
@@ -155,7 +156,7 @@ SweepPoint Search::point_of(Way way) {
     return random_point();
 }
 
-// One condition after the other; none if all margins of a condition are equal.
+// The runs of the next condition, in turn, that has different margins in at least three runs; none if there is none.
 Search::Ranked Search::next_condition() {
     std::set<std::string> conditions;
     for (const Seen& seen : seen_) {
@@ -214,7 +215,7 @@ SweepPoint Search::near_least() {
 
 SweepPoint Search::near_new_lines() {
     if (had_new_lines_.empty()) return near_least();
-    // The latest ones: the lines of earlier ones have run more often.
+    // Chooses one of the latest runs, because the lines of earlier ones have run more often.
     const std::size_t back = random_.next_up_to(std::min(best_ones, had_new_lines_.size()) - 1);
     return near(had_new_lines_[had_new_lines_.size() - 1 - back]);
 }
@@ -268,7 +269,7 @@ bool Search::is_new(const std::vector<FileCoverage>& files) {
 void Search::add(const SweepPoint& point, const RunResult& result) {
     const std::size_t keys = sweep_.keys.size();
     sweep_ = with_drawn(std::move(sweep_), result.drawn);
-    // Runs before did not draw these values.
+    // Earlier runs did not draw the new values, and get the middle for each.
     if (sweep_.keys.size() > keys) {
         for (Seen& seen : seen_) seen.place.resize(sweep_.keys.size(), 0.5);
         for (Shares& place : had_new_lines_) place.resize(sweep_.keys.size(), 0.5);
@@ -276,7 +277,7 @@ void Search::add(const SweepPoint& point, const RunResult& result) {
     Seen seen{.place = shares_of(sweep_, with_drawn(point, result.drawn))};
     for (const ConditionMargin& margin : result.margins) {
         const std::string name = margin.kind + " " + margin.condition;
-        // A deadline that was met says more than the number that met it.
+        // If a deadline was met, the time left is more useful than the number that met it.
         const bool met = margin.left && margin.kind != "maintain";
         if (margin.left) seen.margins.emplace(name + " left", *margin.left);
         if (margin.margin && !met && !margin.comparison.empty()) seen.margins.emplace(name, *margin.margin);

@@ -65,13 +65,13 @@ private:
     Random random_;
     std::size_t rounds_ = 0;
     std::size_t draws_ = 0;
-    std::size_t turn_ = 0;  // of the conditions
+    std::size_t turn_ = 0;  // counts the conditions, which take turns
     std::vector<Seen> seen_;
     std::set<std::string> names_;                           // of all points
     std::set<std::pair<std::string, std::int64_t>> lines_;  // that have run: files, and lines or ways of branches
     std::vector<Shares> had_new_lines_;
     std::vector<std::pair<Shares, std::string>> chosen_;  // of this round by models, with their conditions
-    std::string condition_;                               // of `next_condition`
+    std::string condition_;                               // the last one that `next_condition` chose
 };
 
 }  // namespace nezumi

@@ -24,7 +24,7 @@ public:
           first_(runs.plan.runs[places_.front()]),
           sweep_(runs.scenario_of(first_).sweep) {}
 
-    // Until one has failed. Returns how many of the places were needed; nothing if a signal interrupted.
+    // Makes runs until one has failed. Returns how many of the places were needed; nothing if a signal interrupted.
     std::optional<std::size_t> make() {
         const Scenario& scenario = runs_.scenario_of(first_);
         if (scenario.draws) {
@@ -56,7 +56,7 @@ public:
             if (runs_.options.progress) runs_.options.progress(made, places_.size());
         }
         if (!runs_.keeps() || !runs_.options.keep) return made;
-        // For `--merge`: the search ended before these.
+        // Empty results tell `--merge` that the search ended before these runs.
         for (std::size_t i = made; i < places_.size(); ++i)
             static_cast<void>(runs_.keep->keep(runs_.key_of(places_[i], 0), {}));
         return made;
@@ -65,7 +65,7 @@ public:
 private:
     using Made = std::pair<std::size_t, std::size_t>;  // a run and the number of its repetition
 
-    // False if a signal interrupted.
+    // Makes the runs of a round. Returns false if a signal interrupted.
     bool make_round(const std::vector<std::size_t>& round) {
         std::vector<Made> missing;
         for (const std::size_t run : round) {
@@ -97,12 +97,12 @@ private:
         return false;
     }
 
-    // In a process of its own.
+    // Makes one run. Called in a separate process.
     std::string make_one(const Made& made, const TestSessionOptions& options) const {
         const auto& [run, repetition] = made;
         const PlannedRun& planned = runs_.run_of(run);
         RunResult result = run_planned(runs_.plan, planned, options, true);
-        // All values, for `--merge`: the plan has only the number of the run.
+        // The result gets all values, for `--merge`: the plan has only the number of the run.
         std::vector<DrawnValue> values = drawn_values(sweep_, planned.point);
         for (DrawnValue& value : result.drawn) {
             const auto same = [&](const DrawnValue& other) { return other.name == value.name; };
@@ -131,7 +131,7 @@ bool search_all(SessionRuns& runs) {
         const auto last = std::find_if(first, mine.end(), is_other);
         const auto made = SearchedRuns(runs, {first, last}).make();
         if (!made) return false;
-        // Without the places that it did not need.
+        // Removes the places that the search did not need.
         first = mine.erase(first + static_cast<std::ptrdiff_t>(*made), last);
     }
     return true;

@@ -19,23 +19,24 @@ namespace nezumi {
 struct SessionRuns {
     SessionRuns(const TestPlan& of_plan, const TestSessionOptions& with_options);
 
-    /// A run; of a search, as it was made.
+    /// A run; for a run of a search, with the values that the search chose.
     const PlannedRun& run_of(std::size_t run) const;
     const Scenario& scenario_of(const PlannedRun& run) const { return plan.files[run.file].scenarios[run.scenario]; }
 
     ResultKey key_of(std::size_t run, std::size_t repetition, bool simplest = false) const;
-    /// Results of real robots are never repeatable, and goldens are written by the run itself; so these are not kept.
+    /// Whether results are kept. Runs of real robots are not repeatable, and only a run itself writes goldens, so these
+    /// results are not kept.
     bool keeps() const { return !options.is_real && !options.update_goldens; }
     /// A result of an earlier session, if this one resumes.
     std::optional<KeptResult> find_kept(std::size_t run, std::size_t repetition, bool simplest = false) const;
     /// The result as bytes, after it was kept.
     std::string stored(std::size_t run, std::size_t repetition, RunResult result) const;
 
-    /// Makes runs that are not of the plan, each in a process of its own. Nothing if a signal interrupts.
+    /// Makes runs that are not in the plan, each in a separate process. Nothing if a signal interrupts.
     std::optional<std::vector<RunResult>> make_all(const std::vector<PlannedRun>& runs, bool quick) const;
 
-    /// The number of the first run whose values were drawn, or whose run has drawn some, of each kind of failure:
-    /// failures of a scenario at one place are similar.
+    /// For each kind of failure, the number of the first failed run with drawn values. Failures of a scenario at the
+    /// same place are of one kind.
     std::vector<std::size_t> first_failures() const;
     /// Whether a failure of the run can be simplified.
     bool is_drawn(std::size_t run) const;
@@ -49,7 +50,7 @@ struct SessionRuns {
     std::vector<std::size_t> kept{};                // of each run: number of results from an earlier session
 };
 
-/// What the process of a run has answered.
+/// The result of a run, from the answer of its process.
 RunResult result_of(const Expected<std::string>& answer);
 
 }  // namespace nezumi

@@ -38,12 +38,13 @@ std::optional<KeptResult> simplify_failure(const SessionRuns& runs, std::size_t 
         if (next == results->size()) break;
         simplest = candidates[next];
     }
-    // Values of s:any that came from the seed of the run are not in its name.
+    // If nothing became simpler, this is the run itself: its name does not contain the values that s:any drew by its
+    // seed.
     if (simplest.point == with_drawn(found.point, failure.drawn)) simplest = found;
     auto result = runs.make_all({simplest}, false);
     if (!result) return std::nullopt;
     KeptResult kept{simplest.name, std::move(result->front()), simplest.seed};
-    // When results are merged, this is found by the planned run; without it, the planned run is reported.
+    // Merging finds this result under the key of the planned run. Without it, merging reports the planned run.
     if (runs.keeps()) static_cast<void>(runs.keep->keep(runs.key_of(run, 0, true), kept));
     return kept;
 }

@@ -14,7 +14,7 @@ public:
     virtual void tick(RunningSystem& live) = 0;
     /// A line of any world's log.
     virtual void log(const LogLine& line) = 0;
-    /// The run has this outcome; its worlds are still there until this returns.
+    /// The run has ended with this result. Its worlds exist until this function returns.
     virtual void ended(const RunResult& result) = 0;
 };
 

@@ -107,7 +107,7 @@ SweepValue draw_value(const SweepRange& range, Random& random, std::size_t sampl
     return number_value(range, short_number(range, random.next_fraction(), samples));
 }
 
-// Simplest first.
+// Simpler numbers to try, the simplest first.
 std::vector<double> simpler_numbers(const SweepRange& range, double number) {
     const double target = within(range, 0.0);
     std::vector<double> all{target};

@@ -26,7 +26,7 @@ struct SweepValue {
 /// A sweep value from plain data that holds one value.
 SweepValue to_sweep_value(PlainData data);
 
-/// A value that only its text is known of.
+/// A value of which only the text is known.
 SweepValue text_value(std::string text);
 
 /// The text of a value in a table: a Lua string without quotes and escapes.
@@ -100,8 +100,8 @@ SweepPoint point_in(const Sweep& sweep, const std::vector<double>& shares);
 /// The place of a point; 0.5 for values that it lacks. Values of a list are in the middle of their parts.
 std::vector<double> shares_of(const Sweep& sweep, const SweepPoint& point);
 
-/// A point with these values; nothing if it is not one of the sweep's, followed by values of `s:any` such as
-/// "gust.at=3".
+/// The point with this text: values of the sweep, then values of `s:any` such as "gust.at=3". Nothing if the sweep has
+/// no such values.
 std::optional<SweepPoint> find_drawn_point(const Sweep& sweep, std::string_view text);
 
 /// The point with this text (`text_of`); nothing if the sweep has no such point. Values of ranges may be any number in

@@ -30,7 +30,7 @@ std::string TableComparison::where() const {
     return path;
 }
 
-// Takes two values from the stack. Of tables, the entries are next.
+// Compares the two values on top of the stack. Pops them if they are equal; tables stay, for `step` to compare.
 TableComparison::Answer TableComparison::open() {
     const int left = lua_gettop(lua_) - 1, right = left + 1;
     bool same = lua_rawequal(lua_, left, right) != 0;
@@ -76,7 +76,7 @@ TableComparison::Answer TableComparison::step() {
     return has_key ? Answer::equal : Answer::different;
 }
 
-// Takes two tables as equal. Returns false if they are so already, also by others: a is b, and b is c.
+// Marks two tables as equal. Returns false if they are marked already, also through others: a and b, then b and c.
 bool TableComparison::join(const void* left, const void* right) {
     left = first_of(left);
     right = first_of(right);

@@ -167,7 +167,9 @@ Expected<void> search(TestPlan& plan, const PlanOptions& options) {
     if (options.search > 0 && !can_search)
         return failure("--search: there is nothing to search: no scenario has a sweep with a range, or s:any");
     if (searches && options.seeds)
-        return failure("--seeds: a search chooses the runs: choose other scenarios by --filter");
+        return failure(
+            "--seeds: a search chooses its runs itself: leave out --seeds, or choose scenarios without a search by "
+            "--filter");
     return {};
 }
 
@@ -177,13 +179,14 @@ fs::path scenario_root(const Project& project) { return project.root().empty() ?
 // The name must identify a run in results, folders of failures, and --filter.
 Expected<void> check_runs(const TestPlan& plan) {
     if (plan.runs.size() > most_runs)
-        return failure(fmt::format("these are {} runs, more than {}: choose some by --filter, or fewer seeds",
-                                   plan.runs.size(), most_runs));
+        return failure(
+            fmt::format("these are {} runs, more than the limit of {}: choose some by --filter, or fewer seeds",
+                        plan.runs.size(), most_runs));
     std::set<std::pair<std::size_t, std::string_view>> names;
     for (const PlannedRun& run : plan.runs) {
         if (names.emplace(run.file, run.name).second) continue;
         const Place& place = plan.files[run.file].scenarios[run.scenario].place;
-        return failure(fmt::format("two runs are called '{}': rename a scenario", shown(run.name)), place);
+        return failure(fmt::format("two runs have the name '{}': rename a scenario", shown(run.name)), place);
     }
     return {};
 }

@@ -39,10 +39,10 @@ struct PlannedRun {
     std::size_t scenario = 0;  ///< index in the file
     SweepPoint point{};
     std::string name;       ///< "stops in front of the wall [speed=0.1]", with its repetition
-    bool drawn = false;     ///< by random draws
+    bool drawn = false;     ///< its values are random draws
     bool searched = false;  ///< a search chooses its values: the name is only a number, until it has been made
     Repetition repetition{};
-    std::uint64_t seed = 0;  ///< for all random draws of the run: below 2^53, unless a person gave it
+    std::uint64_t seed = 0;  ///< for all random draws of the run: below 2^53, unless the user gave it
 };
 
 struct PlannedFile {
@@ -68,7 +68,7 @@ struct PlanOptions {
     PeerWords peer_words{};            ///< as in `LiveOptions`
     std::optional<SeedRange> seeds{};  ///< each combination is run with each, instead of the scenario's seeds
     std::size_t search = 0;            ///< number of runs that a search chooses for a scenario with a range or `s:any`
-    std::string paired;                ///< of all scenarios whose sweep has a list of this name; "": as they say
+    std::string paired;                ///< for all scenarios whose sweep has a list of this name; "": their own option
 };
 
 /// Reads the files. An error if there is no file or no run; mistakes of a file are in the plan.

@@ -126,7 +126,7 @@ private:
         if (end_.interrupted) take_out_of_turn();
     }
 
-    // Runs in a process of its own, which stores the result, so that it survives the session.
+    // Called in a separate process, which stores the result, so that the result survives the session.
     std::string make_one(const Made& made) const {
         const auto& [run, repetition] = made;
         const PlannedRun& planned = runs_.run_of(run);
@@ -149,7 +149,7 @@ private:
         tell_finished(false);
     }
 
-    // Runs before them are missing, so they would never be reported in order.
+    // Moves the other results to their runs too. Earlier runs are missing, so these would never be reported in order.
     void take_out_of_turn() {
         for (auto& [made, result] : known_) runs_.results[made.first].push_back(std::move(result));
         known_.clear();
@@ -216,7 +216,7 @@ private:
         return name;
     }
 
-    // The runs as they were planned; the simplest failure of a random sweep is an additional run.
+    // Measures the runs as they were planned. A simplest failure does not count, because it is an additional run.
     void measure() {
         for (const std::size_t index : told_) {
             const PlannedRun& run = runs_.run_of(index);
@@ -303,7 +303,7 @@ private:
     std::map<std::size_t, RunReport> simplified_;
     std::size_t taken_ = 0;          // number of `runs_.mine` that are complete
     std::size_t next_ = 0;           // index in `runs_.mine` of the next report
-    std::vector<std::size_t> told_;  // runs
+    std::vector<std::size_t> told_;  // runs that were reported
     SessionEnd end_;
 };
 

@@ -1,4 +1,4 @@
-// A session of scenarios: performs each run in a process of its own, simplifies random failures, and reports.
+// A session of scenarios: performs each run in a separate process, simplifies random failures, and reports.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct SessionEnd {
     SessionSummary summary;
     std::vector<RunReport> reports;
     std::vector<MeasuredRun> measured;  ///< every run that was made, as it was planned
-    CoverageReport coverage{};          ///< of the same runs, if it was asked for
+    CoverageReport coverage{};          ///< of the same runs, if coverage is on
     bool interrupted = false;
     bool can_resume = false;  ///< it was interrupted, and results of finished runs are kept
 

@@ -25,7 +25,7 @@ public:
     /// Adds a recorded run as a world.
     RunningSystem& add(std::unique_ptr<RecordedWorld> recording);
 
-    /// Sets who watches the run; null: nobody.
+    /// Sets the observer of the run; null: none.
     void show_to(Spectator* spectator) { spectator_ = spectator; }
 
     bool empty() const { return worlds_.empty(); }

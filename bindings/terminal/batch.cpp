@@ -26,18 +26,18 @@ public:
     Batch(ConsoleClient& client, const BatchFiles& files) : client_(client), files_(files) {}
 
     BatchEnd run_all();
-    /// The longest time of each following command.
+    /// Sets the time limit of each following command [s].
     void limit(double seconds) { longest_ = std::chrono::duration<double>(seconds); }
-    /// Some output was lost.
+    /// Whether some output was lost.
     bool has_lost() const { return lost_ || left_out_; }
-    /// `line`: the line in the file of the text's first line; 0 if it is not from a file.
+    /// Runs a command. `line` is the number of its first line in the file; 0 if it is not from a file.
     bool run(const std::string& text, int line);
 
 private:
     std::optional<std::string> read_line();
     std::optional<std::string> give_up_input();
     bool has_more_input();
-    bool is_cut_off();  // the system ended without a message; reports it once
+    bool is_cut_off();  // whether the system ended without a `bye`; reports this once
     std::optional<Event> wait_for_answer(std::int64_t id);
     void show(const Event& event);
     void tell(const std::string& text) const { put_text(files_.error, visible(text) + "\n"); }
@@ -80,7 +80,7 @@ BatchEnd Batch::run_all() {
     return {.well = !is_cut_off() && well && !has_lost() && !unread_, .unfinished = unfinished_};
 }
 
-// True if a command waits; never blocks.
+// Whether the input has another command; never blocks.
 bool Batch::has_more_input() {
     const auto says_something = [](std::string_view text) {
         return text.find_first_not_of(" \t\r\n") != std::string_view::npos;
@@ -178,7 +178,9 @@ void Batch::show(const Event& event) {
             return;
         case Event::Kind::error: tell(place(event.text)); return;
         case Event::Kind::log: tell(event.text); return;
-        case Event::Kind::lost: left_out_ = true; return tell(fmt::format("({} more were dropped)", event.count));
+        case Event::Kind::lost:
+            left_out_ = true;
+            return tell(fmt::format("({} more messages were dropped)", event.count));
         case Event::Kind::answer:
         case Event::Kind::completions:
         case Event::Kind::keys:

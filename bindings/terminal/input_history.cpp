@@ -46,7 +46,8 @@ Descriptor open_locked(const std::filesystem::path& path, int flags) {
         Descriptor file(open(path.c_str(), flags | O_CLOEXEC, 0600));
         struct stat locked {};
         if (!file || flock(file.get(), LOCK_EX) != 0 || fstat(file.get(), &locked) != 0) return Descriptor();
-        // Another console may have replaced it by a shorter file before we had the lock: then this one has no name.
+        // Another console may have replaced the file by a shorter one before the lock: then the locked file has no name
+        // any more, and is opened again.
         if (locked.st_nlink > 0) return file;
     }
 }

@@ -109,7 +109,7 @@ int LineEditor::Parts::cursor_row(int columns) const {
     return std::min(row_after(text, columns), rows() - 1);
 }
 
-// The window may have been resized. It is polled, because SIGWINCH belongs to the whole process.
+// Tells libedit if the window was resized. The size is polled, because SIGWINCH belongs to the whole process.
 void LineEditor::Parts::follow_size() {
     const int before_now = std::exchange(width, columns());
     if (width == before_now) return;
@@ -117,8 +117,8 @@ void LineEditor::Parts::follow_size() {
     rows_in_place = 0;  // lines may be wrapped differently now
 }
 
-// Before a key: libedit would draw over what stands there, by the size that the window had. Some terminals break rows
-// again and others do not: an input of several rows is drawn once more below.
+// Called before a key, after the window was resized: libedit would draw at the wrong place, because it knows only the
+// old size. An input of several rows is drawn once more below, because only some terminals wrap old rows again.
 void LineEditor::Parts::draw_resized() {
     if (!editing || plain || columns() == width) return;
     const bool is_one_row = cursor_row(width) == 0 && cursor_row() == 0;
@@ -298,7 +298,7 @@ Expected<std::unique_ptr<LineEditor>> LineEditor::create(int input, int output, 
     parts->out.reset(fdopen(dup(output), "w"));
     if (!parts->in || !parts->out) return failed();
     parts->input = input;
-    // Only for this thread; the process keeps its locale.
+    // Sets the locale only for this thread; the process keeps its own.
     parts->locale = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
     if (parts->locale != nullptr) parts->locale_before = uselocale(parts->locale);
     parts->history = history_init();

@@ -16,7 +16,7 @@ class LineEditor {
 public:
     enum class Waited {
         typed,    ///< bytes were typed
-        nothing,  ///< time-out
+        nothing,  ///< the time is over
         end,      ///< the terminal is closed
     };
     struct Hooks {

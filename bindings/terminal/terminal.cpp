@@ -62,7 +62,7 @@ private:
     std::optional<Event> answer_;  // the last one received
     bool begun_ = false;           // the input has lines already
     bool paused_ = false;
-    std::optional<std::chrono::steady_clock::time_point> asked_;  // time of the question how to leave
+    std::optional<std::chrono::steady_clock::time_point> asked_;  // when `leaves_at_second` explained how to leave
     bool keys_ = false;                                           // keys go to `drive`, or Escape to a seek
     bool only_escape_ = false;                                    // other keys are typed for the next input
     bool ended_ = false;                                          // the system has ended
@@ -161,7 +161,7 @@ std::optional<Event> Prompt::wait_for_answer(std::int64_t id) {
     answer_.reset();
     bool undecided = false;
     while (!(answer_ && answer_->id == id) || keys_) {
-        // An arrow key sends several bytes at once. After a single Escape nothing follows.
+        // An arrow key sends several bytes at once, the first is Escape. If nothing follows soon, it is the key Escape.
         const Came came = wait(undecided ? escape_wait : -1);
         if (came == Came::end) return std::nullopt;
         undecided = keys_ && take_keys(came == Came::nothing && undecided);
@@ -176,7 +176,7 @@ std::optional<Event> Prompt::wait_for_answer(std::int64_t id) {
 
 void Prompt::interrupt() { client_.send({.kind = Request::Kind::interrupt, .text = {}}); }
 
-// Returns whether the rest may be the beginning of a key.
+// Sends the typed keys to the system. Returns whether the remaining bytes may be the beginning of a key.
 bool Prompt::take_keys(bool alone) {
     static constexpr std::array<std::string_view, 8> names{"up",    "down",   "left",   "right",
                                                            "space", "escape", "faster", "slower"};
@@ -220,7 +220,7 @@ Prompt::Came Prompt::wait(int timeout) {
 }
 
 void Prompt::show_events() {
-    // All waiting output in one call, so that the edited line is redrawn only once.
+    // Prints all waiting output in one call, so that the edited line is redrawn only once.
     std::string text;
     while (auto event = client_.next(0)) {
         if (event->kind == Event::Kind::output && event->level == Event::in_place) {
@@ -242,7 +242,7 @@ void Prompt::show(const Event& event, std::string& text) {
         case Event::Kind::error:
         case Event::Kind::log: text += coloured(event) + "\n"; return;
         case Event::Kind::lost:
-            text += "(" + std::to_string(event.count) + " more were dropped: this terminal is too slow)\n";
+            text += "(" + std::to_string(event.count) + " more messages were dropped: this terminal is too slow)\n";
             return;
         case Event::Kind::keys:
             keys_ = event.ok;

@@ -11,7 +11,7 @@
 namespace nezumi {
 
 struct TerminalOptions {
-    int input = 0;                  ///< a terminal; not to be read by others meanwhile
+    int input = 0;                  ///< file descriptor of a terminal, which nothing else may read meanwhile
     int output = 1;                 ///< the same terminal
     std::string greeting;           ///< the first line; "" for none
     std::filesystem::path history;  ///< the history file; empty: none

@@ -1,4 +1,4 @@
-// Characters are decoded here instead of by the C library, so that it is the same in every locale.
+// Decodes characters without the C library, so that the result does not depend on the locale.
 #include "bindings/terminal/tty_input.hpp"
 
 #include <array>

@@ -9,13 +9,13 @@
 
 namespace nezumi {
 
-/// Time [ms] without another byte after which an Escape is a key of its own; before, it may begin the sequence of
+/// If no byte follows an Escape within this time [ms], it is the key Escape; otherwise it may begin the sequence of
 /// another key.
 inline constexpr int escape_wait = 50;
 
 /// A decoded part from the front of the input.
 struct TypedKey {
-    std::optional<Key> key;  ///< none: another key
+    std::optional<Key> key;  ///< nothing: a key that `drive` does not use
     bool interrupt = false;  ///< Ctrl-C
     std::size_t size = 0;    ///< [bytes] used; 0: incomplete
 };

@@ -1,4 +1,4 @@
-// Functions of Linux that a page does not have: each fails as if the kernel refused it, and its callers handle that.
+// Functions of Linux that a web page does not have. Each fails with ENOSYS, and the callers handle this error.
 #include <spawn.h>
 #include <sys/eventfd.h>
 #include <sys/inotify.h>

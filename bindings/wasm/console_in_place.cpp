@@ -16,13 +16,13 @@ struct Lines {
     std::string events;
 };
 
-// By the number that stands for both ends of a connection. They are not files.
+// The connections by their numbers. A number means both ends of a connection, and is not a file descriptor.
 std::map<int, Lines>& connections() {
     static std::map<int, Lines> the;
     return the;
 }
 
-// Takes the complete lines, each with its end.
+// Takes all lines, each with its end of line.
 std::string take_lines(std::string& from) { return std::exchange(from, {}); }
 
 }  // namespace
@@ -85,7 +85,7 @@ std::string take_some(const Descriptor& socket) { return take_lines(connections(
 
 }  // namespace nezumi::web
 
-// Both ends have one number, so neither may be closed twice: `close` refuses it.
+// Both ends get the same number. It is not an open file, so `close` fails for it, and closing both ends does no harm.
 extern "C" int socketpair(int /*domain*/, int /*type*/, int /*protocol*/, int ends[2]) {
     static int last = 1 << 20;
     ends[0] = ends[1] = ++last;

@@ -1,4 +1,4 @@
-// What the page's second and third workers do: scenarios and checks, which are processes of their own elsewhere.
+// Runs scenarios and checks in the second and third worker of the page. Outside of a page they run in other processes.
 #include <emscripten.h>
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@
 
 namespace nezumi {
 
-// A page knows no other hosts.
+// A web page has no connection to other hosts.
 namespace dds {
 NetworkMaker make_checked_networks() { return {}; }
 }  // namespace dds
@@ -57,7 +57,7 @@ using namespace nezumi;
 
 extern "C" {
 
-/// Sends the names and places of the scenarios of the working folder. Returns 2 if a file can't be read.
+/// Sends the names and locations of the scenarios in the working folder. Returns 2 if a file can't be read.
 EMSCRIPTEN_KEEPALIVE int nezumi_list_scenarios() {
     const TestSessionOptions options = session_options();
     const auto plan = plan_of(options, "", "");
@@ -73,8 +73,8 @@ EMSCRIPTEN_KEEPALIVE int nezumi_list_scenarios() {
     return status;
 }
 
-/// Runs those of a file, or all, or those that a filter chooses. Sends the report as TAP, piece by piece, and then the
-/// coverage. Returns what `nezumi test` would.
+/// Runs the scenarios of a file, all scenarios, or those that the filter chooses. Sends the report as TAP, piece by
+/// piece, and then the coverage. Returns the exit code of `nezumi test`.
 EMSCRIPTEN_KEEPALIVE int nezumi_run_scenarios(const char* file, const char* filter) {
     const TestSessionOptions options = session_options();
     const auto plan = plan_of(options, file, filter);
@@ -85,7 +85,7 @@ EMSCRIPTEN_KEEPALIVE int nezumi_run_scenarios(const char* file, const char* filt
     return end.status();
 }
 
-/// Sends what is wrong in a text, as `nezumi check --json` writes it.
+/// Sends the errors of a text in the form of `nezumi check --json`.
 EMSCRIPTEN_KEEPALIVE void nezumi_check(const char* file, const char* text) {
     auto findings = nlohmann::ordered_json::array();
     for (const Error& error : cli::check_text(text, file, simulated_systems(cli::installed_folders()))) {

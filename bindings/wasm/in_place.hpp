@@ -1,9 +1,9 @@
-// What a page has in place of threads: everything happens in the one thread of a worker.
+// Replaces threads in a web page: everything runs in the one thread of a worker.
 #pragma once
 
 namespace nezumi::web {
 
-/// Lets running systems find the files that were written.
+/// Checks all watched files for changes. Call it after files were written.
 void look_at_files();
 
 }  // namespace nezumi::web

@@ -1,4 +1,4 @@
-// Jobs without a thread: each is done when it is put.
+// Jobs without a thread: `put` runs each job immediately.
 #include "bindings/web/job_thread.hpp"
 
 namespace nezumi::web {

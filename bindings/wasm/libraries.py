@@ -8,7 +8,7 @@ HEAD = (PAGE / "playground.html").read_text()
 
 
 def editor_scripts():
-    """In the order in which they are loaded."""
+    """The scripts of the editor, in the order in which they are loaded."""
     listed = re.search(r"SCRIPTS = \[(.*?)\]", EDITOR, re.S).group(1)
     return ["lib/codemirror/" + name for name in re.findall(r'"([^"]+)"', listed)]
 
@@ -22,7 +22,7 @@ def scripts():
 
 
 def styles():
-    """Those of libraries come first."""
+    """All style sheets of the page; those of libraries come first."""
     of_page = re.findall(r'href="([^"]+\.css)"', HEAD)
     return [name for name in of_page if name.startswith("lib/")] + editor_styles() + [name for name in of_page if not name.startswith("lib/")]
 
@@ -31,7 +31,7 @@ NAMED_MODULE = re.compile(r'"\./((?:[\w-]+/)*[\w.-]+\.js)"')
 
 
 def modules_from(folder, first):
-    """All modules that it needs: their texts by their names."""
+    """All modules that the module `first` needs: their texts by their names."""
     modules, waiting = {}, [first]
     while waiting:
         name = waiting.pop()

@@ -1,4 +1,4 @@
-// The program of the web build: what a worker calls for a page, and `run FILE` for comparing hashes in node.
+// The program of the web build: functions that the page's worker calls, and `run FILE`, which compares hashes in node.
 #include <emscripten.h>
 
 #include <cstdio>
@@ -36,7 +36,7 @@ int take(Expected<std::unique_ptr<web::PageRun>> run) {
     return 0;
 }
 
-// `run FILE ... --duration SECONDS ...`: what tests/hashes asks for.
+// Performs `run FILE ... --duration SECONDS ...`, as tests/hashes calls it.
 int run_headless(int count, char** words) {
     double seconds = 0;
     for (int i = 3; i + 1 < count; ++i) {
@@ -68,7 +68,7 @@ EMSCRIPTEN_KEEPALIVE int nezumi_open_run(const char* journal) {
     return take(web::PageRun::open_run(journal, {installed_files}, send));
 }
 
-/// A message of the page.
+/// Handles a message of the page.
 EMSCRIPTEN_KEEPALIVE void nezumi_receive(const char* text) {
     if (page_run()) page_run()->receive(text);
 }

@@ -1,4 +1,5 @@
-// What emscripten's libraries lack: of C++20 (libc++ 13), and of Linux. Included before every file of the web build.
+// Parts of C++20 (libc++ 13) and of Linux that emscripten's libraries lack. Included before every file of the web
+// build.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +26,7 @@ noexcept {
     return to;
 }
 
-/// Decimal, as the one of the standard with `chars_format::general`: no space, no plus sign.
+/// As the standard's `from_chars` with `chars_format::general`: decimal, no space, no plus sign.
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
     const char* begin = first;
     if (begin != last && *begin == '-') ++begin;
@@ -44,7 +45,7 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
     return {stop, errc()};
 }
 
-/// Those that nezumi uses, without projections.
+/// The algorithms that nezumi uses, without projections.
 namespace ranges {
 
 template <class Range, class Predicate>

@@ -1,11 +1,11 @@
-# What the web build has in place of installed packages: headers of Debian's that need no library, and Lua, ODE, libccd,
-# libpng and zlib from Debian's sources, which .ci/web has unpacked.
+# Replaces installed packages in the web build: Debian's headers that need no library, and Lua, ODE, libccd, libpng and
+# zlib from Debian's sources, which .ci/web has unpacked.
 set(web_sources ${PROJECT_SOURCE_DIR}/build/web-sources)
 if(NOT EXISTS ${web_sources}/complete)
   message(FATAL_ERROR "there are no sources in ${web_sources}: build by .ci/web")
 endif()
 
-# Of the folder with the headers of this computer only these: the others are not the ones of emscripten.
+# Only these headers of this computer are used: the others do not fit emscripten.
 set(web_headers ${PROJECT_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${web_headers})
 foreach(name apriltag eigen3/Eigen fmt nlohmann ode tl)
@@ -14,7 +14,7 @@ foreach(name apriltag eigen3/Eigen fmt nlohmann ode tl)
 endforeach()
 include_directories(SYSTEM ${web_headers})
 
-# A library of C or C++ that is not ours to warn of.
+# Adds a library that is not ours, so without our warnings.
 function(web_library name)
   add_library(web_${name} STATIC ${ARGN})
   set_target_properties(web_${name} PROPERTIES C_STANDARD 11 C_EXTENSIONS ON)
@@ -75,12 +75,12 @@ target_link_libraries(web_png PUBLIC web_zlib)
 web_library(fmt ${web_sources}/fmt/src/format.cc)
 web_library(apriltag ${web_sources}/apriltag/tag36h11.c)
 
-# What runs once a file, or in collisions of few shapes.
+# Code that rarely runs is optimized for size.
 foreach(name apriltag ccd fmt png zlib)
   target_compile_options(web_${name} PRIVATE -Oz)
 endforeach()
 
-# By the names that the rooms use.
+# The packages have the names that the rooms use.
 macro(nezumi_package room package)
 endmacro()
 macro(nezumi_module room prefix module)

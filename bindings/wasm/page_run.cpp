@@ -1,4 +1,4 @@
-// The one browser of the run is the page in which it runs.
+// The run has one browser: the page in which it runs.
 #include "bindings/wasm/page_run.hpp"
 
 #include <utility>
@@ -14,7 +14,7 @@ namespace {
 constexpr ClientId the_page = 1;
 constexpr std::size_t largest_journal = std::size_t{1} << 28;  // [bytes]
 
-// The site whose messages the page takes.
+// The server whose messages go to the page.
 Site*& site() {
     static Site* the = nullptr;
     return the;
@@ -37,7 +37,7 @@ Expected<std::unique_ptr<Sockets>> open_sockets(const SocketOptions& /*options*/
     return std::make_unique<PageSockets>(served);
 }
 
-// The console and the page get time between ticks.
+// Gives the console and the page time between ticks.
 class PageRun::Served final : public Attendant {
 public:
     Served(ConsoleServer& consoles, WebServer& server) : consoles_(consoles), server_(server) {}
@@ -75,7 +75,7 @@ LiveOptions PageRun::options(std::vector<std::filesystem::path> installed) {
     return options;
 }
 
-// The loaded system gets its loop, its consoles and its page.
+// Gives the loaded system its loop, its consoles and its page, and activates it.
 Expected<void> PageRun::serve() {
     live_->trace().remember_ports();
     live_->remember_run();

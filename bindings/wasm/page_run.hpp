@@ -1,4 +1,4 @@
-// A run in a web page: the engine and the server of the page, whose messages go by a function rather than a socket.
+// A run in a web page: the engine and the server of the page. Messages go through a function instead of a socket.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace nezumi::web {
 
-/// The seed of a system file that has none, as of `nezumi run`.
+/// The seed for a system file without a seed, the same as in `nezumi run`.
 inline constexpr std::uint64_t usual_seed = 124;
 
 class PageRun {
@@ -38,10 +38,10 @@ public:
     PageRun(const PageRun&) = delete;
     PageRun& operator=(const PageRun&) = delete;
 
-    /// Takes a message of the page.
+    /// Handles a message of the page.
     void receive(std::string_view text);
-    /// Does what is due, for about this time [s], and sends what is new. Returns the time until more is due [s]; 0: at
-    /// once, negative: the run has ended.
+    /// Runs the ticks that are due, for about this time [s], and sends changes. Returns the time until the next tick is
+    /// due [s]; 0: now; negative: the run has ended.
     double go_on(double seconds);
 
 private:
@@ -54,7 +54,7 @@ private:
 
     Send send_;
     Problems problems_;
-    std::unique_ptr<Replay> replay_;  // the system reads its files
+    std::unique_ptr<Replay> replay_;  // provides the files that the system reads
     std::unique_ptr<RunningSystem> live_;
     std::unique_ptr<RunLoop> loop_;
     std::unique_ptr<ConsoleServer> consoles_;

@@ -1,4 +1,5 @@
-// A page has no signals: the limits of calls are checked by a hook after a number of instructions (watchdog.cpp).
+// A timer that does nothing, because a web page has no signals: a hook checks the time limits of calls after a number
+// of instructions (watchdog.cpp).
 #include "bindings/lua/sandbox/lua_text.hpp"
 #include "bindings/lua/sandbox/thread_timer.hpp"
 

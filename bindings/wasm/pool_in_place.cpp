@@ -1,4 +1,4 @@
-// Runs of scenarios without processes: one after the other, where they are asked for.
+// Runs scenarios without other processes: one after the other, in the calling thread.
 #include "bindings/scenario/process_pool.hpp"
 
 namespace nezumi {

@@ -1,4 +1,4 @@
-// A page runs no other programs.
+// Replacements for the parts that run other programs, which a web page can't.
 #include "bindings/web/page_directory.hpp"
 #include "bindings/web/scenario_runs.hpp"
 #include "engine/base/program.hpp"
@@ -9,7 +9,9 @@ bool can_run(const std::string& /*program*/) { return false; }
 UnnamedFile::UnnamedFile(std::string_view /*text*/) : file_(-1) {}
 UnnamedFile::~UnnamedFile() = default;
 std::string UnnamedFile::text() const { return ""; }
-Expected<ProgramEnd> run_program(const ProgramRun& /*run*/) { return failure("a page runs no other programs"); }
+Expected<ProgramEnd> run_program(const ProgramRun& /*run*/) {
+    return failure("nezumi in a web page can't run other programs");
+}
 std::string problem_of(const Expected<ProgramEnd>& end) { return end ? "" : end.error().message; }
 
 namespace web {
@@ -20,7 +22,7 @@ ScenarioRuns::ScenarioRuns(std::filesystem::path project, std::string program, s
     : project_(std::move(project)), program_(std::move(program)), listen_(std::move(listen)), send_(std::move(send)) {}
 ScenarioRuns::~ScenarioRuns() = default;
 Expected<void> ScenarioRuns::start(ClientId /*client*/, std::int64_t /*id*/, const TestMessage& /*message*/) {
-    return failure("a page runs no scenarios");
+    return failure("nezumi in a web page can't run scenarios");
 }
 
 }  // namespace web

@@ -1,4 +1,4 @@
-// Simulated systems without cameras, and without what is written in YAML.
+// Simulated systems in a web page: without cameras, and without files in YAML.
 #include "bindings/embed/simulation.hpp"
 
 #include <utility>
@@ -11,12 +11,12 @@
 namespace nezumi {
 namespace {
 
-Unexpected no_yaml(const std::string& file) { return failure("nezumi in a page reads no YAML", {file}); }
+Unexpected no_yaml(const std::string& file) { return failure("nezumi in a web page can't read YAML files", {file}); }
 
 }  // namespace
 
 LiveOptions simulated_systems(std::vector<std::filesystem::path> installed) {
-    LiveOptions live = systems_without_vision(std::move(installed), "nezumi in a page");
+    LiveOptions live = systems_without_vision(std::move(installed), "nezumi in a web page");
     live.world = sim::make_world;
     return live;
 }

@@ -1,4 +1,4 @@
-// How the program answers the worker that drives it.
+// Sends messages from the program to the worker that runs it.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@ inline constexpr const char* installed_files = "/share/nezumi";
 /// Sends bytes or a text to the worker, by the function `send` of its module.
 void send_bytes(std::string_view bytes);
 void send_text(std::string_view text);
-/// Says on standard error why something can't be done. Returns 2.
+/// Writes the error to standard error and returns 2.
 int refuse(const Error& error);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Watches files without events or a thread: looks at them when something was written.
+// Watches files without events or a thread: reads them again when `look_at_files` is called.
 #include <functional>
 #include <map>
 #include <utility>
@@ -9,7 +9,7 @@
 namespace nezumi {
 namespace {
 
-// One for each watcher, until it ends.
+// The function that checks the files of each watcher, until the watcher ends.
 std::map<const void*, std::function<void()>>& looks() {
     static std::map<const void*, std::function<void()>> the;
     return the;

@@ -42,7 +42,7 @@ void Worker::serve_posts() {}
 void Worker::revoke() {
     revoked_ = true;
     stop_ = true;
-    if (job_) running_ = false;  // it waits, and does not go on
+    if (job_) running_ = false;  // a job that waits is dropped
     job_ = nullptr;
 }
 
@@ -63,7 +63,7 @@ void Worker::post(std::size_t /*bytes*/, std::function<void()> work) {
 bool Worker::perform(const Work& work) {
     const CallPause pause;
     while (!revoked_) {
-        if (work()) return true;  // else it computes a past moment, piece by piece
+        if (work()) return true;  // false only for a past moment, which is computed in slices
     }
     return false;
 }

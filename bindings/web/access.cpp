@@ -12,7 +12,7 @@
 namespace nezumi::web {
 namespace {
 
-// Returns the token of "nezumi, token.TOKEN", in any order; "" for any other text.
+// Returns TOKEN of the protocols "nezumi, token.TOKEN", in any order; "" for any other text.
 std::string_view token_in(std::string_view protocols) {
     constexpr std::string_view prefix = "token.";
     const auto comma = protocols.find(',');
@@ -39,7 +39,7 @@ std::string make_token() {
 }
 
 bool is_same_secret(std::string_view left, std::string_view right) {
-    // The length of our token is not secret.
+    // Texts of different lengths may end the comparison early, because the length of our token is no secret.
     if (left.size() != right.size() || left.empty()) return false;
     volatile unsigned difference = 0;
     for (std::size_t i = 0; i < left.size(); ++i)

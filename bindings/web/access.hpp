@@ -9,8 +9,8 @@
 
 namespace nezumi::web {
 
-constexpr int forbidden = 403;    ///< the HTTP status of a request that is refused
-constexpr int unavailable = 503;  ///< and of one that can't be served now
+constexpr int forbidden = 403;    ///< HTTP status: the request is refused
+constexpr int unavailable = 503;  ///< HTTP status: the request can't be served now
 
 /// Returns 128 random bits as 32 hexadecimal digits; "" if the kernel gives none.
 std::string make_token();
@@ -20,11 +20,11 @@ bool is_same_secret(std::string_view left, std::string_view right);
 
 class AccessControl {
 public:
-    /// `scheme`: "http", or "https" with TLS. `address`: our name if it is not the loopback's.
+    /// `scheme`: "http", or "https" with TLS. `address`: the server's own address, "" for the loopback.
     explicit AccessControl(std::string scheme = "http", std::string address = "")
         : scheme_(std::move(scheme)), address_(std::move(address)) {}
 
-    /// Admits no browser: another program decides.
+    /// Makes an object that admits no browser: here another program decides who is admitted.
     static AccessControl closed() {
         AccessControl none;
         none.token_.clear();
@@ -37,9 +37,9 @@ public:
     const std::string& view_token() const { return view_token_; }
 
     /// True if a Host header names this computer's loopback, with any port (a tunnel has its own), or the address that
-    /// is listened on. Other names are refused: a foreign page may have led the browser here.
+    /// the server listens on. Other names are refused, because a page of another site may have sent the request.
     bool is_own_host(std::string_view host) const;
-    /// The token of such a request for a WebSocket as `check` needs; nothing for any other request.
+    /// The token in a request for a WebSocket, in the form that `check` accepts; nothing for any other request.
     std::optional<std::string_view> offered_token(const HttpRequest& request) const;
     /// A request for a WebSocket must ask for /ws of our host, come from a page of exactly that host, and offer the
     /// protocols "nezumi" and "token.TOKEN".

@@ -31,7 +31,7 @@ namespace {
 
 constexpr long day = 24 * 60 * 60;     // [s]
 constexpr long lasts = 800 * day;      // [s] browsers accept at most 825 days
-constexpr long renewed_at = 30 * day;  // [s] before its end
+constexpr long renewed_at = 30 * day;  // [s] before a certificate ends, a new one is made
 
 template <class T, void (*release)(T*)>
 struct Releaser {
@@ -70,7 +70,7 @@ Memory memory_of(const std::string& text) {
     return Memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
 }
 
-// True if it belongs to us and only its owner may read it.
+// True if the file belongs to this user and only this user may read it.
 bool is_private(const std::string& file) {
     struct stat is {};
     return lstat(file.c_str(), &is) == 0 && S_ISREG(is.st_mode) && is.st_uid == geteuid() && (is.st_mode & 077) == 0;
@@ -84,7 +84,7 @@ bool take_kept(const CertificateRequest& request, Certificate& certificate) {
     const Paper paper(PEM_read_bio_X509(paper_memory.get(), nullptr, nullptr, nullptr));
     const Key key(PEM_read_bio_PrivateKey(key_memory.get(), nullptr, nullptr, nullptr));
     if (paper == nullptr || key == nullptr || X509_check_private_key(paper.get(), key.get()) != 1) return false;
-    std::time_t until = std::time(nullptr) + renewed_at;  // the wall clock: certificates are valid by it
+    std::time_t until = std::time(nullptr) + renewed_at;  // wall clock: certificates have dates
     if (X509_cmp_time(X509_get0_notAfter(paper.get()), &until) <= 0) return false;
     if (X509_check_ip_asc(paper.get(), request.address.c_str(), 0) != 1) return false;
     certificate.fingerprint = fingerprint_of(paper.get());

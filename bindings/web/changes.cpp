@@ -9,7 +9,7 @@ namespace nezumi::web {
 
 template <class T>
 void Changes::merge(std::vector<Dated<T>>& known, std::vector<T>&& news) {
-    // If their number has changed, all of them count as new.
+    // If the number of items has changed, all items count as new.
     if (known.size() != news.size()) known.clear();
     for (std::size_t i = 0; i < news.size(); ++i) {
         if (i < known.size() && known[i].value == news[i]) continue;
@@ -76,7 +76,7 @@ WebFrame Changes::since(Seen& seen, const Watch& watch) const {
         const auto found = ports_.find(watch.ports[i]);
         if (found == ports_.end() || found->second.changed <= seen.sequence) continue;
         const State::Port& port = found->second.value;
-        // After a restart the count begins at 0 again.
+        // After a restart, the counts of messages begin at 0 again.
         const std::uint64_t before = seen.counts[i] <= port.count ? seen.counts[i] : 0;
         frame.ports.push_back({.index = static_cast<std::uint32_t>(i),
                                .count = static_cast<std::uint32_t>(port.count - before),

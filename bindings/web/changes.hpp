@@ -10,7 +10,7 @@
 
 namespace nezumi::web {
 
-/// What a browser wants to see besides things and markers.
+/// The parts of the state that a browser wants, in addition to things and markers.
 struct Watch {
     std::vector<std::string> ports{};  ///< "name.port"
     bool truth = false;                ///< poses of robots
@@ -24,20 +24,21 @@ struct Watch {
 /// The state of a system after a tick, as far as browsers want to see it. Made by the ticking thread and passed on as a
 /// whole.
 struct State {
-    WebFrame now{};  ///< without ports; complete
+    WebFrame now{};  ///< complete, but without the ports, which are below
     struct Port {
         std::uint64_t count = 0;  ///< messages since the start
         Octets payload{};
     };
-    std::map<std::string, Port, std::less<>> ports{};  ///< "name.port": the changed ones
-    std::vector<WebMember> members{};                  ///< their present values
+    std::map<std::string, Port, std::less<>> ports{};  ///< the changed ports, by "name.port"
+    std::vector<WebMember> members{};                  ///< the present values of the watched members
     std::uint64_t layout = 0;                          ///< if it differs, the system has changed and everything is new
 };
 
-/// The last known state of each part, with the state in which it changed. Used by one thread.
+/// The last known value of each part of the state, with the number of the state in which it changed. Used by one
+/// thread.
 class Changes {
 public:
-    /// What a browser has received.
+    /// The state that a browser has received last.
     struct Seen {
         std::uint64_t sequence = 0;
         std::vector<std::uint64_t> counts{};  ///< of each watched port

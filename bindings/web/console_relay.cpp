@@ -1,4 +1,4 @@
-// A console that accepts no more data is overloaded.
+// If the connection to a console accepts no more data, the request is refused and nothing waits.
 #include "bindings/web/console_relay.hpp"
 
 #include <utility>

@@ -17,15 +17,15 @@ namespace nezumi::web {
 /// Must be called from the ticking thread. Never blocks.
 class ConsoleRelay {
 public:
-    /// Takes the line of an event, without its line end.
+    /// Sends the line of an event, without its line end, to a browser.
     using Tell = std::function<void(ClientId, std::string_view line)>;
 
     ConsoleRelay(ConsoleServer& consoles, Tell tell) : consoles_(consoles), tell_(std::move(tell)) {}
 
-    /// Sends the line of a request; the first one opens the console. Fails if it can't be opened or accepts no more
-    /// data.
+    /// Sends the line of a request; the first request opens the browser's console. Fails if the console can't be opened
+    /// or accepts no more data.
     Expected<void> send(ClientId client, const std::string& line, const Actor& who);
-    /// Passes on what consoles have sent, a limited amount of each.
+    /// Passes the lines of consoles on to their browsers, a limited amount for each console.
     void serve();
     void close(ClientId client) { consoles_of_.erase(client); }
     void add_files(std::vector<int>& files) const;

@@ -8,10 +8,10 @@
 
 namespace nezumi::web {
 
-/// Sends all of a line, without waiting. False: nothing was sent, because too much waits. An error: only a part was
-/// sent, or the other end is gone, so the connection is of no more use.
+/// Sends a whole line, without waiting. False: nothing was sent, because too many bytes wait. An error: only a part was
+/// sent, or the other end is gone; then close the connection.
 Expected<bool> send_line(const Descriptor& socket, const std::string& line);
-/// What has come, a limited amount of it.
+/// Returns the bytes that have arrived, up to a limit; "" if there are none.
 std::string take_some(const Descriptor& socket);
 
 }  // namespace nezumi::web

@@ -1,4 +1,4 @@
-// A drive is a hold by its browser. It begins, changes and ends by acts, so a replay has them all.
+// A drive is a hold of a port by a browser. A drive begins, changes and ends by acts, so a replay repeats it.
 #include "bindings/web/drives.hpp"
 
 #include <algorithm>
@@ -53,7 +53,8 @@ void Drives::rest(Drive& drive) {
 void Drives::serve(Clock::time_point now) {
     for (Drive& drive : drives_) {
         if (!has_it(drive)) {
-            if (drive.rests_since < 0) tell_(drive.client, drive.port, "another user drives it, or it was removed");
+            if (drive.rests_since < 0)
+                tell_(drive.client, drive.port, "another user drives this port, or the port was removed");
             drive.client = 0;
         } else if (drive.rests_since < 0 && now - drive.heard > longest_silence) {
             rest(drive);

@@ -18,7 +18,7 @@ public:
     /// A drive without a message for this time ends: the port is zero for a tick, then it is released.
     static constexpr std::chrono::milliseconds longest_silence{500};
 
-    /// Sends a browser the message that it does not drive a port, or no longer, with the reason.
+    /// Tells a browser that it does not drive the port, or does so no longer, with the reason.
     using Tell = std::function<void(ClientId, const std::string& port, const std::string& why)>;
 
     /// `live` must outlive this object.
@@ -38,7 +38,7 @@ private:
         std::string port;
         Value value;
         Clock::time_point heard;
-        std::int64_t rests_since = -1;  // the tick of the zero command; -1: it drives
+        std::int64_t rests_since = -1;  // the tick of the zero command; -1: the browser drives
         int start = 0;                  // number of the system's start
     };
 

@@ -1,4 +1,4 @@
-// Everything since the start is kept by the second system, so that a slider may go on to any time before.
+// The second system keeps all values since the start, so that the slider can move to any earlier time.
 #include "bindings/web/earlier.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 // The second system ends if it gets no request during this time.
 constexpr std::chrono::seconds kept{20};
-constexpr std::chrono::milliseconds slice{5};  // while time stands
+constexpr std::chrono::milliseconds slice{5};  // of computation while time is paused
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void Earlier::forget(ClientId client) {
 Expected<void> Earlier::begin(const Asked& asked) {
     if (past_ && past_->extend(live_, asked.channels, 0, asked.to)) return {};
     past_.reset();
-    // All plots that wait are computed together.
+    // All waiting plots up to the same time are computed together.
     std::vector<std::string> channels = asked.channels;
     for (const Asked& each : asked_) {
         if (!asked.port.empty() && each.to == asked.to)
@@ -73,7 +73,7 @@ bool Earlier::serve(Clock::time_point until) {
     std::erase_if(asked_, [&](const Asked& each) {
         const bool is_gone = each.generation != live_.generation();
         if (is_gone && !each.port.empty())
-            answer_(each.client, each.id, failure("the system has begun again meanwhile"));
+            answer_(each.client, each.id, failure("the system was replaced by a restart or a seek"));
         return is_gone;
     });
     if (asked_.empty()) {
@@ -83,7 +83,7 @@ bool Earlier::serve(Clock::time_point until) {
     used_ = Clock::now();
     const std::int64_t before = past_ ? past_->run().system().when().tick : -1;
     const auto there = compute(asked_.front(), until);
-    // Without time for a tick, it goes on after the next one of the present.
+    // Whether this call had time for a tick. If not, the computation goes on after the next tick of the present system.
     if (there && !*there) return past_->run().system().when().tick != before;
     const Asked done = std::move(asked_.front());
     asked_.erase(asked_.begin());

@@ -1,4 +1,5 @@
-// Values from before what the run remembers, for the page's time line and plots: computed while the run goes on.
+// Values that are older than what the run remembers, for the page's time line and plots. They are computed again while
+// the run goes on.
 #pragma once
 
 #include <functional>
@@ -12,8 +13,8 @@
 
 namespace nezumi::web {
 
-/// What is asked for is computed in order, between two ticks. The second system stays for a while, because a slider of
-/// time asks again and again.
+/// Computes requested values in order, between two ticks, by a second system. That system is kept for a while, because
+/// a slider of time makes many requests.
 class Earlier {
 public:
     using Clock = PastRun::Clock;
@@ -21,26 +22,27 @@ public:
     /// The answer to a request for a port, when it is over.
     using Answer = std::function<void(ClientId client, std::int64_t id, const Expected<void>& done)>;
 
-    /// Plots that may wait.
+    /// The largest number of waiting plots.
     static constexpr std::size_t most = 64;
 
     Earlier(RunningSystem& live, const ClockControl& clock, Send send, Answer answer)
         : live_(live), clock_(clock), send_(std::move(send)), answer_(std::move(answer)) {}
 
-    /// Answers immediately with what is remembered, and again when the rest is computed. A later time that the same
-    /// client asks for replaces one that waits. Where the past can't be computed, there is no second answer.
+    /// Requests the values of ports and members at the time `at` [s]. Answers immediately with the remembered values,
+    /// and once more when the others are computed; not if the past can't be computed. A new request of the same client
+    /// replaces its waiting one.
     void ask_then(ClientId client, double at, const std::vector<std::string>& names);
     /// Computes all numbers of a port since the last start, up to now.
     Expected<void> ask_port(ClientId client, std::int64_t id, const std::string& port);
     void forget(ClientId client);
-    /// Computes until this time. Returns whether there is more to compute.
+    /// Computes until `until`. Returns whether there is more to compute.
     bool serve(Clock::time_point until);
 
 private:
     struct Asked {
         ClientId client = 0;
         std::int64_t id = 0;
-        std::string port{};  // "": values of a time
+        std::string port{};  // of a plot; "": the request is for the values at the time `to`
         std::vector<std::string> names{}, channels{};
         double to = 0;  // [s]
         int generation = 0;
@@ -55,7 +57,7 @@ private:
     Send send_;
     Answer answer_;
     std::vector<Asked> asked_;
-    std::unique_ptr<PastValues> past_;  // of the first that is asked, or of the last one
+    std::unique_ptr<PastValues> past_;  // for the first request, or, if none waits, for the last one
     Clock::time_point used_{};
 };
 

@@ -1,5 +1,5 @@
-// Reads and writes a project's files for browsers. Each folder on the way is opened from the one before without
-// following links, so nothing leads out of the project.
+// Reads and writes a project's files for browsers. Each folder of a path is opened from the folder before, without
+// following links, so no path leads out of the project.
 #include "bindings/web/edited_files.hpp"
 
 #include <dirent.h>
@@ -35,7 +35,7 @@ std::string why(int problem) { return problem == ELOOP ? "is a link, which is no
 
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-// A path that leads to this open folder, also after it was renamed or replaced.
+// A path to this open folder, valid even after the folder was renamed or replaced.
 std::string name_of(const Descriptor& folder) {
     std::filesystem::path name = "/proc/self/fd/" + std::to_string(folder.get());
 #if defined(__EMSCRIPTEN__)  // files are found by whole names only
@@ -70,8 +70,8 @@ Expected<std::optional<std::string>> read_in(const Descriptor& folder, const std
     return std::optional<std::string>(std::move(text));
 }
 
-// Replaces a file in an open folder when all of it is on the disk, if `may` then still agrees. Returns 0, or an errno;
-// then nothing has changed.
+// Writes a new file to the disk, and then replaces the file in an open folder by it, unless `may` returns false at that
+// moment. Returns 0, or an errno: then the file is unchanged.
 int write_in(const Descriptor& folder, const std::string& name, std::string_view text, mode_t mode,
              const std::function<bool()>& may = {}) {
     StagedFile staged(name_of(folder) + "/" + name, mode);
@@ -80,7 +80,7 @@ int write_in(const Descriptor& folder, const std::string& name, std::string_view
     if (fsync(staged.descriptor()) != 0) return errno;
     if (may && !may()) return ESTALE;
     if (const int problem = staged.commit(); problem != 0) return problem;
-    fsync(folder.get());  // the name; the text itself is safe already
+    fsync(folder.get());  // writes the new name to the disk; the text is there already
     return 0;
 }
 
@@ -126,7 +126,7 @@ Expected<void> EditedFiles::check_name(std::string_view name) {
         rest.remove_prefix(slash + 1);
     }
     if (std::none_of(endings.begin(), endings.end(), [&](std::string_view each) { return name.ends_with(each); }))
-        return refuse(fmt::format("can't be edited here: a name ends in {}", fmt::join(endings, ", ")));
+        return refuse(fmt::format("can't be edited here: only files that end in {} can", fmt::join(endings, ", ")));
     return {};
 }
 
@@ -144,7 +144,8 @@ std::vector<std::string> EditedFiles::names() const {
     return names;
 }
 
-// `path` may begin with a hidden folder of ours. With `makes`, missing folders are made.
+// Opens the folder of the file `path`, which may be in our hidden folder of versions. With `makes`, makes missing
+// folders.
 Expected<Descriptor> EditedFiles::open_folder_of(const std::string& path, bool makes) const {
     Descriptor folder(open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!folder) return failure(why(errno));
@@ -154,7 +155,7 @@ Expected<Descriptor> EditedFiles::open_folder_of(const std::string& path, bool m
         rest.remove_prefix(slash + 1);
         if (makes && mkdirat(folder.get(), part.c_str(), 0777) != 0 && errno != EEXIST) return failure(why(errno));
         Descriptor next(openat(folder.get(), part.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-        // For a link, the kernel says only that it is not a folder.
+        // ENOTDIR: the part is a file, or a link, for which the kernel gives the same error.
         if (!next && errno == ENOTDIR)
             return failure(fmt::format("'{}' is not a folder, or is a link, which is not followed", part));
         if (!next) return failure(why(errno));
@@ -192,20 +193,21 @@ Expected<SavedText> EditedFiles::write(const std::string& name, const std::strin
     if (mark(*present) != before) return refuse();
     SavedText saved;
     if (*present) saved.note = keep(name, **present);
-    const auto is_same = [&] {  // it may have changed while the text was written to the disk
+    const auto is_same = [&] {  // the file may have changed while the text was written to the disk
         present = read_in(*folder, last_part(name), nullptr);
         return present && mark(*present) == before;
     };
     const int problem = write_in(*folder, last_part(name), text, mode, is_same);
     if (problem == ESTALE && present) return refuse();
     if (problem != 0)
-        return failure(fmt::format("can't be written: {}: the file is as it was", std::strerror(problem)), {name});
+        return failure(fmt::format("can't be written: {}: the file is unchanged", std::strerror(problem)), {name});
     if (std::string note = keep(name, text); saved.note.empty()) saved.note = std::move(note);
     saved.mark = mark_of(text);
     return saved;
 }
 
-// Keeps a text as the newest version, unless it is that already. Returns "", or why not.
+// Stores a text as the newest version of the file, unless it is the newest version already. Returns "", or why it
+// failed.
 std::string EditedFiles::keep(const std::string& name, const std::string& text) const {
     const std::string path = versions_folder + name + "/";
     const auto folder = open_folder_of(path, true);
@@ -215,7 +217,7 @@ std::string EditedFiles::keep(const std::string& name, const std::string& text) 
         const auto last = read_in(*folder, std::to_string(numbers.back()), nullptr);
         if (last && *last == text) return "";
     } else if (const auto all = open_folder_of(versions_folder, false)) {
-        write_in(*all, ".gitignore", "*\n", 0666);  // versions are of this computer only
+        write_in(*all, ".gitignore", "*\n", 0666);  // so that git ignores the versions
     }
     const int number = numbers.empty() ? 1 : numbers.back() + 1;
     if (const int problem = write_in(*folder, std::to_string(number), text, 0666); problem != 0)
@@ -248,7 +250,7 @@ Expected<std::string> EditedFiles::version(const std::string& name, int number) 
     const auto text = folder ? read_in(*folder, std::to_string(number), nullptr)
                              : Expected<std::optional<std::string>>(std::optional<std::string>());
     if (!text) return failure(text.error().message, {name});
-    if (!*text) return failure(fmt::format("version {} is not kept", number), {name});
+    if (!*text) return failure(fmt::format("version {} is no longer available", number), {name});
     return **text;
 }
 

@@ -14,7 +14,7 @@
 
 namespace nezumi::web {
 
-/// A text, and a mark that differs for another text.
+/// The text of a file, and its mark, which differs for different texts.
 struct EditedText {
     std::string text;
     std::string mark;
@@ -23,13 +23,13 @@ struct EditedText {
 /// The mark of a text: 16 hexadecimal digits.
 std::string mark_of(std::string_view text);
 
-/// What became of a text that was to be saved.
+/// The result of saving a text.
 struct SavedText {
-    /// The file is not the one that was read before: nothing was written.
+    /// True: the file has changed since the writer read it, so nothing was written.
     bool is_refused = false;
-    /// Then its present text; nothing if the file is gone.
+    /// If refused: the present text of the file; nothing if the file is gone.
     std::optional<EditedText> present{};
-    /// Otherwise the mark of the written text.
+    /// If written: the mark of the written text.
     std::string mark{};
     /// Why no version was kept in the history; "" if it was.
     std::string note{};
@@ -37,7 +37,7 @@ struct SavedText {
 
 /// A text that was saved earlier.
 struct KeptVersion {
-    int number = 0;             ///< 1 is the oldest one; older ones than `most_versions` are removed
+    int number = 0;             ///< 1 for the first version; only the latest `most_versions` are kept
     std::int64_t saved_at = 0;  ///< [s] since 1970
     std::size_t bytes = 0;
 };
@@ -55,17 +55,17 @@ public:
 
     const std::filesystem::path& folder() const { return folder_; }
 
-    /// An error if the name can't be that of a file here.
+    /// Returns an error if a file of this name can't be edited.
     static Expected<void> check_name(std::string_view name);
 
     /// All files, sorted; at most `most_files`.
     std::vector<std::string> names() const;
     Expected<EditedText> read(const std::string& name) const;
-    /// Writes the whole file or nothing: it is on the disk when this returns. `before` is the mark of the text that the
-    /// writer has read, "" for a new file; if the file has another text now, nothing is written.
+    /// Writes the whole file to the disk, or nothing. `before` is the mark of the text that the writer has read, "" for
+    /// a new file; if the file has another text now, nothing is written.
     Expected<SavedText> write(const std::string& name, const std::string& text, const std::string& before) const;
 
-    /// The kept versions of a file, newest first: what was found at the first save, and each saved text.
+    /// The kept versions of a file, newest first: the text before the first save, and each saved text.
     std::vector<KeptVersion> versions(const std::string& name) const;
     Expected<std::string> version(const std::string& name, int number) const;
 

@@ -62,7 +62,7 @@ Json read_version(const EditedFiles& files, const EditMessage& message) {
     return {{"ok", true}, {"text", ""}, {"content", *text}};
 }
 
-// What `nezumi check` says.
+// The findings of `nezumi check` for a text.
 Json check_edited(const std::string& program, const std::string& shown, const std::string& text,
                   const std::atomic<bool>& gives_up) {
     if (program.empty()) return refused_edit({"files can be checked only in the page of `nezumi run`"});
@@ -97,7 +97,7 @@ Expected<void> Editor::start(ClientId client, std::int64_t id, EditMessage messa
     JobThread& jobs = message.what == EditMessage::What::check ? checks_ : file_jobs_;
     const bool is_taken =
         jobs.put([this, client, id, message = std::move(message)] { answer_(client, answer_to(id, message)); });
-    if (!is_taken) return failure("too many requests of editors wait: try again");
+    if (!is_taken) return failure("too many requests for files are waiting: try again");
     return {};
 }
 

@@ -17,15 +17,15 @@
 
 namespace nezumi::web {
 
-/// What is known of the words of files.
+/// Descriptions of the Lua names that files may use.
 struct EditorWords {
-    std::string annotations{};  ///< for the Lua language server (`annotations`)
+    std::string annotations{};  ///< the text for the Lua language server (`annotations`)
     /// The global names of each kind of file: "systems", "behaviors", ...
     std::map<std::string, std::vector<std::string>> names{};
 };
 
 struct EditorOptions {
-    /// The program whose command `check` is run; "": nothing is checked.
+    /// The path of nezumi, whose command `check` checks texts; "": nothing is checked.
     std::string program{};
     /// The kind of a file: "systems", "robots", ..., or "" for others.
     std::function<std::string(const std::filesystem::path& file, const std::string& text)> kind{};
@@ -34,16 +34,16 @@ struct EditorOptions {
 
 class Editor {
 public:
-    /// Takes the answer to a request, a JSON object; called in any thread.
+    /// Sends the answer to a request, a JSON object, to the browser; called in any thread.
     using Answer = std::function<void(ClientId client, std::string answer)>;
 
     Editor(Project project, std::filesystem::path folder, EditorOptions options, Answer answer);
-    /// Waits for a file that is being written. A running check is ended.
+    /// Waits until a file is written that is being written now, and ends a running check.
     ~Editor();
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 
-    /// Answers later. An error: too much waits.
+    /// Begins a request, which is answered later. Returns an error if too many requests wait.
     Expected<void> start(ClientId client, std::int64_t id, EditMessage message);
 
     /// [s] A check that takes longer is ended.
@@ -58,7 +58,7 @@ private:
     const Answer answer_;
     std::atomic<bool> ends_ = false;
     JobThread file_jobs_;
-    JobThread checks_;  // of their own, so that no file waits for a slow check
+    JobThread checks_;  // a separate thread, so that requests for files don't wait for a slow check
 };
 
 }  // namespace nezumi::web

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::chrono::milliseconds least{2};  // of a slice
+constexpr std::chrono::milliseconds least{2};  // computation in one call, at least
 
 }  // namespace
 
@@ -82,7 +82,7 @@ bool Explanations::is_computed(Asked& asked, Clock::time_point until, bool& comp
     return true;
 }
 
-// A system whose past can't be computed explains the next execution.
+// If the past of the system can't be computed, explains the next execution instead.
 bool Explanations::waits_for_next(Asked& asked, const Error& why) {
     const auto trace = live_.explain_next(asked.component);
     if (!trace) {
@@ -112,7 +112,7 @@ void Explanations::take_stepped() {
     const auto seen = live_.explanation(ahead_->component, ahead_->trace);
     if (seen && !*seen) return;
     const std::string component = std::exchange(ahead_, {})->component;
-    // The values of ports are those after its tick only if no other tick has followed.
+    // Uses the explanation only if no tick has followed: otherwise its values of ports are those of a later tick.
     if (!seen || !clock_.is_paused() || (*seen)->tick + 1 != live_.system().now().tick) return;
     known_ = **seen;
     known_generation_ = live_.generation();

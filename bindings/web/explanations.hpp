@@ -19,14 +19,14 @@ public:
     using Clock = PastRun::Clock;
     using Send = std::function<void(ClientId client, std::string message)>;
 
-    /// Requests that may wait.
+    /// The largest number of waiting requests.
     static constexpr std::size_t most = 64;
 
     Explanations(RunningSystem& live, const ClockControl& clock, Send send)
         : live_(live), clock_(clock), send_(std::move(send)) {}
 
-    /// In a paused simulation the last execution is explained, of a behaviour in ERROR the one that failed; both are
-    /// computed again. Otherwise it is the next one.
+    /// In a paused simulation, explains the last execution, and for a behaviour in ERROR the failed execution; both are
+    /// computed again. Otherwise explains the next execution.
     Expected<void> ask(ClientId client, const std::string& component);
     void forget(ClientId client);
     /// Call it between two ticks. Computes until this time, at least a little. Returns whether there is more to
@@ -38,9 +38,9 @@ private:
         ClientId client = 0;
         std::string component;
         int generation = 0;
-        bool is_over = false;                   // the execution
-        std::int64_t trace = 0;                 // of one that comes
-        std::unique_ptr<PastExecution> past{};  // one that is over; null: not begun
+        bool is_over = false;                   // whether the execution is in the past
+        std::int64_t trace = 0;                 // number of the trace of a coming execution
+        std::unique_ptr<PastExecution> past{};  // of an execution in the past; null: not begun
     };
 
     bool is_answered(Asked& asked, Clock::time_point until, bool& computes);
@@ -56,10 +56,11 @@ private:
     const ClockControl& clock_;
     Send send_;
     std::vector<Asked> asked_;
-    // The last execution that was explained while time stood, of this generation of the system.
+    // The last execution that was explained while time was paused, and the generation of its system.
     std::optional<Explanation> known_;
     int known_generation_ = 0;
-    // The one after it is traced, so that a step need not be computed again.
+    // A trace of the execution after it, so that after one step its explanation is available without computing the
+    // past.
     std::optional<Asked> ahead_;
 };
 

@@ -43,7 +43,7 @@ void remove_doubles(std::vector<std::string>& names) {
     names.erase(std::unique(names.begin(), names.end()), names.end());
 }
 
-// Changes how fast time passes, and nothing else.
+// Whether a message only changes how fast time passes.
 bool is_pace(const BrowserMessage& message) {
     const auto* time = std::get_if<TimeMessage>(&message.body);
     return time != nullptr && time->what != TimeMessage::What::restart && time->what != TimeMessage::What::quit;
@@ -155,7 +155,7 @@ void Hub::show_picture(const std::string& port, std::string message) {
     pictures_.insert_or_assign(port, Shown{std::move(message), ++last_number_});
 }
 
-// Without the lock: only this thread changes the data that it reads.
+// Reads clients_ without the lock, because only this thread changes what is read here.
 void Hub::watch_anew() {
     Watch all;
     for (const auto& [id, client] : clients_) {
@@ -177,7 +177,9 @@ void Hub::watch_anew() {
 }
 
 HttpReply Hub::reply_to(const HttpRequest& request) {
-    if (!access_.is_own_host(request.host)) return {.status = 403, .body = "this page is not served under that name\n"};
+    if (!access_.is_own_host(request.host))
+        return {.status = 403,
+                .body = "this page is not served under this host name: open the address that nezumi has printed\n"};
     return files_.get(request.path);
 }
 
@@ -219,7 +221,7 @@ bool Hub::is_too_fast(Client& client) {
 }
 
 bool Hub::received(ClientId id, std::string_view text) {
-    auto message = read_message(text, parts_);  // may read files
+    auto message = read_message(text, parts_);  // outside of the lock, because an act may read files
     const bool wants_systems = message && std::holds_alternative<SystemsMessage>(message->body);
     const std::vector<RunningPage> pages = wants_systems ? running_pages() : std::vector<RunningPage>();
     Lock lock(mutex_);

@@ -23,15 +23,15 @@ namespace nezumi::web {
 
 class Hub final : public Site {
 public:
-    /// Messages of a browser that may wait; with one more its connection is closed.
+    /// The most messages of a browser that may wait; with one more, its connection is closed.
     static constexpr std::size_t most_waiting = 256;
-    /// Messages of a browser per second; with more its connection is closed.
+    /// The most messages of a browser per second; with more, its connection is closed.
     static constexpr double most_messages = 400;
-    /// [bytes] of texts that may wait for a browser; above it log lines and output are dropped and counted.
+    /// [bytes] of texts that may wait for a browser; above this, log lines and output are dropped and counted.
     static constexpr std::size_t most_backlog = std::size_t{1} << 20;
     /// [bytes] Largest picture file of a floor.
     static constexpr std::size_t largest_floor = std::size_t{1} << 24;
-    /// [bytes] of answers that may wait for a browser; above it its connection is closed.
+    /// [bytes] of answers that may wait for a browser; above this, its connection is closed.
     static constexpr std::size_t longest_backlog = 4 * most_backlog;
     /// The latest log lines that a new browser gets: number of lines, and bytes.
     static constexpr std::size_t most_kept = 300, longest_kept = std::size_t{1} << 17;
@@ -46,7 +46,8 @@ public:
 
     /// `hello` is the greeting message without the browser's own fields.
     Hub(AccessControl access, StaticFiles files, PartReader parts, std::string hello);
-    /// Before it serves: browsers may change nothing but the pace of time, for this reason.
+    /// Call it before the hub serves: from then on browsers may change only the pace of time. `why` is the reason that
+    /// they are shown.
     void only_show(std::string why) { only_shows_ = std::move(why); }
     Hub(const Hub&) = delete;
     Hub& operator=(const Hub&) = delete;
@@ -56,13 +57,14 @@ public:
 
     // For the ticking thread; none of these functions waits for a browser.
 
-    /// Readable when data wait for `take`.
+    /// A file descriptor that is readable when data wait for `take`.
     int file() const { return news_.get(); }
     std::vector<Incoming> take();
     bool has_clients() const { return clients_there_ > 0; }
     /// Everything that any browser watches.
     Watch wanted() const;
-    /// Returns the last state if it was not used yet, to be completed. `put` gives it back, or a new one.
+    /// Takes back the last state if no browser has got it yet, so that the caller can add changes. Then call `put` with
+    /// this state, or with a new one.
     std::unique_ptr<State> take_back();
     void put(std::unique_ptr<State> state);
     /// Sends to one browser. A `lossy` text is dropped if too much waits.
@@ -96,15 +98,15 @@ private:
 
     struct Client {
         bool view_only = false;
-        bool paces = false;  // may change the pace of time all the same
+        bool paces = false;  // may change the pace of time although view-only
         Watch watch{};
         std::deque<std::string> texts{};  // waiting texts
         std::size_t backlog = 0;          // [bytes] of them
         std::size_t lost = 0;
-        std::size_t waiting = 0;  // number of its messages that wait
+        std::size_t waiting = 0;  // number of waiting messages of this browser
         std::map<Slot, std::uint64_t> shown{};
         std::map<std::string, std::uint64_t, std::less<>> pictures{};  // by port: the last picture it got
-        bool is_behind = false;                                        // too much waits, so it is closed
+        bool is_behind = false;  // too many bytes wait, so the connection is closed
         bool wants_floor = false;
         // Used only by the sockets' thread:
         Changes::Seen seen{};
@@ -130,7 +132,7 @@ private:
     const StaticFiles files_;
     const PartReader parts_;
     const std::string hello_;
-    std::string only_shows_;  // why; "": browsers may change the system
+    std::string only_shows_;  // the reason of `only_show`; "": browsers may change the system
     Descriptor news_;         // eventfd
     std::atomic<int> clients_there_ = 0;
 

@@ -13,7 +13,7 @@ namespace nezumi::web {
 
 class JobThread {
 public:
-    /// Jobs that may wait.
+    /// The largest number of waiting jobs.
     static constexpr std::size_t most_waiting = 64;
 
     JobThread() = default;
@@ -22,8 +22,8 @@ public:
     JobThread(const JobThread&) = delete;
     JobThread& operator=(const JobThread&) = delete;
 
-    /// Does the job later; its errors are its own. The thread starts with the first one. False: too many wait, or the
-    /// system provides no thread.
+    /// Runs the job later; the job must handle its own errors. The thread starts with the first job. False: too many
+    /// jobs wait, or no thread can be started.
     bool put(std::function<void()> job);
 
 private:

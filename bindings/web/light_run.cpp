@@ -1,4 +1,4 @@
-// Numbers are rounded to what a screen shows, and what has not changed is not written again: both make the file small.
+// Keeps the file small: numbers are rounded to what a screen can show, and unchanged values are not written again.
 #include "bindings/web/light_run.hpp"
 
 #include <algorithm>
@@ -19,12 +19,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t largest_floor = std::size_t{200} << 10;  // [bytes] of its picture
+constexpr std::size_t largest_floor = std::size_t{200} << 10;  // [bytes] of the picture file of the floor
 
-// To 0.1 mm, and about 0.006 degrees.
+// Rounds a pose's number to 0.1 mm, or about 0.006 degrees.
 double on_screen(double value) { return std::round(value * 1e4) / 1e4; }
 
-// To five digits.
+// Rounds to five significant digits.
 double shortened(double value) {
     if (value == 0 || !std::isfinite(value)) return value;
     const double factor = std::pow(10, 4 - std::floor(std::log10(std::abs(value))));
@@ -37,10 +37,10 @@ std::vector<double> numbers_of(const Pose3D& pose) {
             on_screen(turn.r),  on_screen(turn.p),  on_screen(turn.y)};
 }
 
-// The first of every `step` frames at which something that began at this frame is seen.
+// If only one of `step` frames is kept: the index of the first kept frame that shows something that began at `frame`.
 std::size_t seen_at(std::size_t frame, std::size_t step) { return (frame + step - 1) / step; }
 
-// [[frame, number, ...], ...]
+// Rows as [[frame, number, ...], ...], with the indices of kept frames.
 template <class Rows>
 Json rows_to_json(const Rows& rows, std::size_t step) {
     Json all = Json::array();
@@ -70,7 +70,7 @@ Json tracks_to_json(const Tracks& tracks, std::size_t step) {
     return json;
 }
 
-// Every `step`th one, and the last.
+// The times of one of `step` frames, and the last time.
 Json times_to_json(const std::vector<double>& times, std::size_t step) {
     Json all = Json::array();
     for (std::size_t frame = 0; frame < times.size(); frame += step) all.push_back(on_screen(times[frame]));
@@ -102,7 +102,7 @@ LightRun::LightRun(RunningSystem& live, const ClockControl& clock) : live_(live)
 
 void LightRun::log(const LogLine& line) { lines_.push_back(line); }
 
-// What comes after this time is of another branch.
+// Removes what was noted from this time on: it belongs to another branch.
 void LightRun::go_back(double seconds) {
     const auto from = std::lower_bound(times_.begin(), times_.end(), seconds - 1e-9);
     const auto frame = static_cast<std::size_t>(std::distance(times_.begin(), from));

@@ -15,11 +15,11 @@
 
 namespace nezumi::web {
 
-/// Notes a run while it is repeated. Of a run that went back in time it keeps the branch at its end, and of one that
-/// was restarted the last start.
+/// Notes a run while it is repeated. If the run went back in time, only the branch at its end is kept; if it was
+/// restarted, only the part after the last start.
 class LightRun {
 public:
-    /// Values with more numbers are left out, and so are rays if there are more.
+    /// A value with more numbers is left out. If there are more rays, all rays are left out.
     static constexpr std::size_t most_numbers = 64, most_rays = 32;
 
     /// Simulated time between two frames [s], at least.
@@ -31,19 +31,19 @@ public:
     void log(const LogLine& line);
     /// Call this after the start, and after each tick and act.
     void note();
-    /// One of `step` frames, as recorded_run.js reads them. Call this at the end of the run.
+    /// The run as text for recorded_run.js, with one of `step` frames. Call this at the end of the run.
     std::string text(const std::string& version, std::size_t step);
     std::size_t frames() const { return times_.size(); }
     /// How many numbers were noted.
     std::size_t numbers() const { return numbers_; }
 
 private:
-    // What was seen of one thing: rows with the number of a frame, and what it was from then on.
+    // The history of one robot, thing or value: each row has the number of a frame, and the numbers from this frame on.
     struct Track {
-        std::vector<std::string> leaves;  // their paths; empty for poses
+        std::vector<std::string> leaves;  // paths of the numbers; empty for poses
         std::vector<std::pair<std::size_t, std::vector<double>>> rows;
 
-        /// Returns whether it has changed.
+        /// Adds a row if the numbers have changed. Returns whether they have.
         bool add(std::size_t frame, std::vector<double> numbers);
         void cut(std::size_t frame);
     };
@@ -61,13 +61,13 @@ private:
     std::uint64_t layout_ = 0;
     std::uint64_t fingerprint_ = 0;
     bool with_rays_ = true;
-    std::vector<double> times_;                                 // of the frames
-    std::vector<std::pair<std::size_t, std::string>> systems_;  // their descriptions
+    std::vector<double> times_;                                 // times of the frames [s]
+    std::vector<std::pair<std::size_t, std::string>> systems_;  // descriptions of the system, each with its first frame
     std::vector<LogLine> lines_;
     std::vector<std::pair<std::string, const Port*>> ports_;
     std::vector<Channel> members_;
-    std::size_t numbers_ = 0;                     // in all rows
-    std::map<std::string, std::size_t> touched_;  // what robots touch, by name: its number from 1
+    std::size_t numbers_ = 0;                     // count of numbers in all rows
+    std::map<std::string, std::size_t> touched_;  // the names of what robots touch, with numbers from 1
     Tracks robots_, things_, markers_, rays_, values_;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// No valid message nests deeper.
+// The deepest nesting of a valid message.
 constexpr int deepest = 32;
 constexpr std::size_t longest_shown = 160;
 
@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 6> time_names{"pause", "resume", "step", 
 constexpr std::array<std::string_view, 7> test_names{"list", "run", "stop", "open", "watch", "recordings", "judge"};
 constexpr std::array<std::string_view, 7> edit_names{"list", "read", "check", "save", "versions", "version", "words"};
 
-// The parser is not recursive, but functions that use its values are.
+// The nesting is limited because functions that use parsed values are recursive; the parser itself is not.
 bool is_too_deep(std::string_view text) {
     int depth = 0;
     bool quoted = false;
@@ -117,7 +117,7 @@ Watch read_watch(Fields& fields) {
             .members = fields.texts("members")};
 }
 
-// A value as a person reads it: `{ x = 0.1, y = 0 }`, `{ 1, 2 }`, `mouse`.
+// A value as text for people: `{ x = 0.1, y = 0 }`, `{ 1, 2 }`, `mouse`.
 std::string value_in_words(const Json& value) {
     if (value.is_string()) return visible(value.get<std::string>());
     if (!value.is_structured()) return dump_ascii(value);
@@ -130,7 +130,7 @@ std::string value_in_words(const Json& value) {
     return "{" + text + (text.empty() ? "}" : " }");
 }
 
-// "set parameter controller, speed_x, 0.5" of SetParameter and its fields.
+// An act as text for people: "set parameter controller, speed_x, 0.5" for SetParameter and its fields.
 std::string shown_act(std::string_view name, const Json& fields) {
     std::string text = act_in_words(name);
     const char* between = " ";

@@ -18,12 +18,12 @@ namespace nezumi::web {
 
 struct ActMessage {
     Act act;
-    std::string shown;  ///< for the log: its name and fields, shortened
+    std::string shown;  ///< text for the log: name and fields of the act, shortened
 };
 struct TimeMessage {
     enum class What { pause, resume, step, speed, restart, quit };
     What what = What::pause;
-    std::optional<double> value{};  ///< of step and speed; infinity is the text "max"
+    std::optional<double> value{};  ///< the number of `step` or `speed`; infinity for the text "max"
 };
 /// Holds a port while the message is repeated.
 struct DriveMessage {
@@ -54,11 +54,11 @@ struct EditMessage {
     enum class What {
         list,      ///< the files of the project
         read,      ///< the text of `file`
-        check,     ///< what is wrong in `text`, which `file` would have
-        save,      ///< writes `text`; `mark` is that of the text that was read, "" for a new file
+        check,     ///< checks `text` as the new text of `file`
+        save,      ///< writes `text`; `mark` is the mark of the text that the page has read, "" for a new file
         versions,  ///< the kept versions of `file`
         version,   ///< the text of version `number`
-        words,     ///< the annotations of all words and types
+        words,     ///< the annotations of all global names and types
     };
     What what = What::list;
     std::string file{};
@@ -70,11 +70,11 @@ struct EditMessage {
 /// A request about the project's scenarios.
 struct TestMessage {
     enum class What {
-        list,        ///< their names and places
-        run,         ///< runs those of `file`, or all, or only the one called `name`
+        list,        ///< the names and locations of the scenarios
+        run,         ///< runs the scenarios of `file`, all scenarios, or only the scenario with this `name`
         stop,        ///< ends the present run
         open,        ///< opens the failed run that is kept in the folder `file`, in a page of its own
-        watch,       ///< runs the one called `name` of `file` in a page of its own, at the pace of the clock
+        watch,       ///< runs the scenario `name` of `file` in a page of its own, in real time
         recordings,  ///< the names of the project's recordings and journals
         judge,       ///< judges the behaviour in the file `name` by the recording `file`
     };
@@ -83,20 +83,20 @@ struct TestMessage {
     std::string name{};
 };
 
-/// Requests what is remembered of a branch, for the time line.
+/// Requests the remembered acts, errors and poses of a branch, for the time line.
 struct RememberedMessage {
     std::string branch;
-    bool rows = false;   ///< also where robots were
-    std::string port{};  ///< also the recent numbers of this port of the present, for a plot; may be empty
+    bool rows = false;   ///< also the poses of robots and things
+    std::string port{};  ///< also the recent numbers of this port, for a plot; "" for none
 };
 
-/// Requests what ports and members had at a time of the present branch.
+/// Requests the values of ports and members at a time of the present branch.
 struct ThenMessage {
     double at = 0;  ///< [s]
     std::vector<std::string> names;
 };
 
-/// Requests the numbers of a port since the last start, for a plot; what is not remembered is computed again.
+/// Requests the numbers of a port since the last start, for a plot. Numbers that are not remembered are computed again.
 struct EarlierMessage {
     std::string port;
 };
@@ -111,7 +111,7 @@ struct BrowserMessage {
         body{};
 };
 
-/// The `id` of a wrong message, if it could be read, and the error.
+/// An error of a message, with the message's `id` if that could be read.
 struct Refusal {
     std::int64_t id = 0;
     std::string text;

@@ -1,4 +1,4 @@
-// Reads only our own files in our own folder, and takes only two addresses from each.
+// Reads only files of this user in a folder of this user, and takes only two addresses from each file.
 #include "bindings/web/page_directory.hpp"
 
 #include <fcntl.h>

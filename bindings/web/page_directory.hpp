@@ -19,12 +19,12 @@ struct RunningPage {
     std::string name;
     pid_t process = 0;
     std::string url{};       ///< with the token for full access
-    std::string view_url{};  ///< for viewing only
+    std::string view_url{};  ///< with the token for viewing only
     bool operator==(const RunningPage&) const = default;
 };
 
-/// Announces a page while the object exists: NAME-PID.html in the console's folder redirects a browser to it. A command
-/// line with this file name does not show the token to other users.
+/// Announces a page while the object exists: the file NAME-PID.html in the console's folder redirects a browser to the
+/// page. A browser opened with this file name has no token in its command line, which other users could read.
 class PageEntry {
 public:
     /// The folder must exist, as made by `Listener::open`.

@@ -1,4 +1,5 @@
-// A silent component delays an answer by seconds: then looks are rarer, so that requests are not kept waiting.
+// A component that does not answer delays each query of the components by seconds. Then the queries are made less
+// often, so that requests do not wait for them.
 #include "bindings/web/peer_desk.hpp"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ std::optional<std::string> PeerDesk::serve(bool is_watched, Clock::time_point no
         if (!is_ready(each.answer)) return false;
         const auto text = each.answer.get();
         answer_(each.client, each.id, text ? Expected<void>() : Unexpected(text.error()));
-        next_ = now;  // the change is shown immediately
+        next_ = now;  // queries the components now, so that the change is shown immediately
         return true;
     });
     if (look_.valid()) {

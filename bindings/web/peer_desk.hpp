@@ -1,4 +1,4 @@
-// Components of other programs for browsers: looks at them while a browser shows them, and passes requests on.
+// Components of other programs for browsers: queries their state while a browser shows them, and passes requests on.
 #pragma once
 
 #include <chrono>
@@ -14,9 +14,10 @@
 
 namespace nezumi::web {
 
-/// How other programs' components are reached. None of the functions waits.
+/// Functions that reach the components of other programs. They return immediately.
 struct PeerSource {
-    /// Asks for a JSON object for the page. An invalid future: this system has none.
+    /// Queries the state of the components, as a JSON object for the page. An invalid future: this system has no such
+    /// components.
     std::function<std::future<std::string>()> look{};
     PeerAsker ask{};
 };
@@ -27,18 +28,19 @@ public:
     using Clock = std::chrono::steady_clock;
     using Answer = std::function<void(ClientId client, std::int64_t id, const Expected<void>& done)>;
 
-    /// Between two looks.
+    /// The time between two queries of the components.
     static constexpr std::chrono::seconds period{1};
-    /// Requests that wait for an answer.
+    /// The largest number of requests that wait for an answer.
     static constexpr std::size_t most_waiting = 16;
 
     PeerDesk(PeerSource source, Answer answer) : source_(std::move(source)), answer_(std::move(answer)) {}
 
     /// Passes a request on; it is answered later.
     Expected<void> ask(ClientId client, std::int64_t id, const PeerRequest& request);
-    /// Whether a look could begin now, if a browser shows the components.
+    /// Whether it is time to query the components, if a browser shows them.
     bool is_due(Clock::time_point now) const { return source_.look && !look_.valid() && now >= next_; }
-    /// Answers requests, and begins to look if `is_watched`. Returns what is new for the browsers.
+    /// Answers requests, and begins a query if `is_watched`. Returns the new state for the browsers; nothing if it is
+    /// unchanged.
     std::optional<std::string> serve(bool is_watched, Clock::time_point now);
 
 private:

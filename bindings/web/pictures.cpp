@@ -1,4 +1,4 @@
-// The thread starts with the first picture.
+// Copies pictures, and encodes them in a thread that starts with the first picture.
 #include "bindings/web/pictures.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace nezumi::web {
 namespace {
 
-// The picture of a port, without copying.
+// A reference to the picture of a port; nothing is copied.
 const CameraImage& picture_of(const Port& port) {
     const auto* const out = dynamic_cast<const OutPort<CameraImage>*>(&port);
     return out != nullptr ? out->read() : dynamic_cast<const InPort<CameraImage>&>(port).latest().data;
@@ -31,7 +31,7 @@ Pictures::~Pictures() {
 }
 
 void Pictures::look(const System& system, const std::vector<std::string>& ports, Clock::time_point now) {
-    // A browser that watches again gets the present picture.
+    // Forgets ports that no browser watches, so that a browser that watches one again gets the present picture.
     const auto is_unwatched = [&](const auto& each) { return !contains(ports, each.first); };
     if (std::erase_if(seen_, is_unwatched) > 0) {
         const std::lock_guard lock(mutex_);
@@ -52,7 +52,7 @@ void Pictures::look(const System& system, const std::vector<std::string>& ports,
             try {
                 thread_ = start_thread([this] { work(); });
             } catch (const std::system_error&) {
-                taken_.clear();  // the next picture tries again
+                taken_.clear();  // no thread could be started; the next picture tries again
             }
         }
         news_.notify_one();

@@ -20,7 +20,8 @@ namespace nezumi::web {
 class Pictures {
 public:
     using Clock = std::chrono::steady_clock;
-    /// Takes a complete message for browsers, or the reason why there is none. Called in the encoder's thread.
+    /// `Show` takes a complete message for browsers, `Fail` the reason why there is none. Called in the encoder's
+    /// thread.
     using Show = std::function<void(const std::string& port, std::string message)>;
     using Fail = std::function<void(const std::string& why)>;
     /// Encodes a picture. Called in a thread of its own.
@@ -35,8 +36,8 @@ public:
     Pictures(const Pictures&) = delete;
     Pictures& operator=(const Pictures&) = delete;
 
-    /// Takes the new pictures of these ports ("name.port"), between two ticks. A newer picture replaces one that is not
-    /// encoded yet.
+    /// Copies the new pictures of these ports ("name.port"), between two ticks. A newer picture replaces one that is
+    /// not encoded yet.
     void look(const System& system, const std::vector<std::string>& ports, Clock::time_point now);
 
 private:
@@ -58,7 +59,7 @@ private:
     std::map<std::string, Seen, std::less<>> seen_;  // used by the ticking thread
     Mutex mutex_;                                    // for the members below
     std::condition_variable news_;
-    std::map<std::string, Taken, std::less<>> taken_;  // by port; an old picture's memory is used again
+    std::map<std::string, Taken, std::less<>> taken_;  // by port; the memory of an old picture is used for the next one
     bool ends_ = false;
     std::thread thread_;
 };

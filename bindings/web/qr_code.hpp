@@ -7,14 +7,14 @@
 
 namespace nezumi::web {
 
-/// Returns lines for a terminal of any colours: two rows of modules per line, dark on light with a quiet zone. An error
-/// gives the reason, for example that the text is too long.
+/// Returns the QR code as lines for a terminal of any colours: each line has two rows of modules (squares), dark on
+/// light, with a quiet zone around the code. An error gives the reason, for example that the text is too long.
 Expected<std::string> qr_code(const std::string& text);
 
 // The interface between the program and its module. Both are built together.
 inline constexpr const char* qr_module = "nezumi_qr.so";
 inline constexpr const char* draw_in_module = "nezumi_draw_qr";
-/// The module's only function. Returns true, or false with the `problem`. Never throws.
+/// The only function that the module exports. Returns true, or sets `problem` and returns false. Never throws.
 using DrawInModule = bool(const std::string& text, std::string& lines, std::string& problem);
 
 }  // namespace nezumi::web

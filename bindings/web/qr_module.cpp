@@ -12,7 +12,7 @@
 namespace nezumi::web {
 namespace {
 
-constexpr int quiet = 2;  // modules around it; the standard's four need a larger terminal
+constexpr int quiet = 2;  // modules (squares) around the code; the standard's four would need a larger terminal
 constexpr const char* dark_on_light = "\033[38;5;16;48;5;231m";  // black on white with any terminal colours
 constexpr const char* plain = "\033[0m";
 

@@ -1,4 +1,4 @@
-// A frame is its kind, the browser's number and the length in little endian, and the bytes.
+// A frame consists of its kind, the browser's number and the length in little endian, and the bytes.
 #include "bindings/web/relay.hpp"
 
 #include <poll.h>
@@ -36,7 +36,7 @@ std::uint64_t number_at(std::string_view text, std::size_t bytes) {
     return number;
 }
 
-// The browsers of the other program. All functions of the site are called in one thread.
+// Serves the browsers of the other program. Calls all functions of the site in one thread.
 class Relay final : public Sockets {
 public:
     Relay(int socket, Site& site) : site_(site), socket_(socket), news_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
@@ -130,7 +130,7 @@ private:
                       .bytes = message->bytes});
     }
 
-    // Waits for the other program, which always reads.
+    // Blocks until the frame is written. This is safe, because the other program always reads.
     bool write(const RelayFrame& frame) {
         std::string bytes;
         append_frame(bytes, frame);
@@ -150,7 +150,7 @@ private:
     std::atomic<bool> ends_ = false;
     RelayReader reader_;
     std::set<ClientId> clients_;
-    std::set<ClientId> ready_;  // can take a message
+    std::set<ClientId> ready_;  // browsers that can take a message
     std::thread thread_;
 };
 

@@ -1,4 +1,5 @@
-// Browsers by way of another program: its frames over a socket stand for their connections.
+// Serves browsers that are connected to another program: frames over a socket to that program replace their
+// connections.
 #pragma once
 
 #include <cstdint>
@@ -11,32 +12,32 @@
 
 namespace nezumi::web {
 
-/// What one side tells the other about a browser.
+/// A message about a browser between the two programs.
 struct RelayFrame {
     enum class Kind : std::uint8_t {
         // from the program that has the browsers:
-        opened,   ///< it has connected
-        viewer,   ///< it has connected, and may only look
-        message,  ///< it has sent `bytes`
-        ready,    ///< it can take one more message
-        closed,   ///< it has gone
+        opened,   ///< the browser has connected
+        viewer,   ///< the browser has connected, and is view-only
+        message,  ///< the browser has sent `bytes`
+        ready,    ///< the browser can take one more message
+        closed,   ///< the browser has disconnected
         // from the site, one for each `ready`:
         text,
         binary,
-        closes,  ///< its connection is to be closed
+        closes,  ///< close the connection of the browser
     };
     Kind kind = Kind::closed;
     ClientId client = 0;
     std::string bytes{};
 };
 
-/// The connection of the program itself that has the browsers: theirs have numbers from 1.
+/// The number of the connection that the program with the browsers has for itself. Browsers have numbers from 1.
 inline constexpr ClientId own_client = 0;
 
 /// [bytes] of the longest frame: the picture of a floor.
 inline constexpr std::size_t longest_relayed = (std::size_t{1} << 24) + 64;
 
-/// Appends the frame to what is to be written.
+/// Appends the bytes of the frame to `out`.
 void append_frame(std::string& out, const RelayFrame& frame);
 
 /// Puts frames together from pieces. The other side is not trusted.

@@ -1,4 +1,4 @@
-// Few enough rows for a message: a slider has no more places.
+// Limits the number of rows, because a slider on the page has no more positions.
 #include "bindings/web/remembered_json.hpp"
 
 #include <fmt/format.h>
@@ -16,11 +16,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_rows = 1500, most_poses = 12'000, most_marks = 300;
-// Acts of one kind that follow each other within this time [s] have one mark, as those of a joystick.
+// Equal acts of one user within this time [s] get only one mark, for example those of a joystick.
 constexpr double together = 0.5;
 // The shortest time [s] between two rows of a plot, as in the page.
 constexpr double between_values = 0.04;
-// Rows of a plot, about.
+// The number of rows of a plot, about.
 constexpr double most_values = 6000;
 
 struct Mark {
@@ -100,7 +100,7 @@ Json then_to_json(Trace& trace, double at, const std::vector<std::string>& names
         const auto found = trace.remember_part(name);
         if (!found) continue;
         const Series& series = *found->series;
-        // What is published in a tick is there after it.
+        // A value that is published in a tick can be read only after this tick.
         std::size_t after = 0;
         for (std::size_t end = series.size(); after < end;) {
             const std::size_t middle = (after + end) / 2;

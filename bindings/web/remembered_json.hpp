@@ -1,4 +1,4 @@
-// What is remembered of a branch as JSON for the page's time line.
+// The remembered acts, errors and values of a branch as JSON, for the page's time line.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,12 +13,12 @@ namespace nezumi::web {
 /// moving things were, since the last start. An error if there is no such branch.
 Expected<nlohmann::ordered_json> remembered_to_json(RunningSystem& live, const std::string& branch, bool rows);
 
-/// What these ports and members had at a time [s] of the present branch: for each that is remembered its stamp, and its
-/// numbers and texts by their names. The others are left out; members are remembered from now on.
+/// The values of these ports and members at a time [s] of the present branch: for each one the stamp, and the numbers
+/// and texts by their names. Values that are not remembered are left out; they are remembered from now on.
 nlohmann::ordered_json then_to_json(Trace& trace, double at, const std::vector<std::string>& names);
 
 /// Adds the numbers of a port that the trace remembers, for a plot: `labels`, and `values` as rows [time, number, ...].
-/// Nothing that was not remembered before is remembered from now on.
+/// Does not make the trace remember more ports.
 void add_numbers(nlohmann::ordered_json& json, const Trace& trace, const std::string& port);
 
 }  // namespace nezumi::web

@@ -1,4 +1,4 @@
-// What `nezumi test` writes goes to the page as it is; the page reads it.
+// Sends the output of `nezumi test` unchanged to the page, which reads it.
 #include "bindings/web/scenario_runs.hpp"
 
 #include <fmt/format.h>
@@ -25,16 +25,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The folder for what failed scenarios leave, as `nezumi test` names it.
+// The folder in which `nezumi test` keeps the files of failed scenarios.
 constexpr std::string_view kept_runs = "nezumi-test/";
 
 constexpr double longest_judgement = 120;                                      // [s]
 constexpr std::size_t largest_plot = 4'000'000, largest_coverage = 2'000'000;  // [bytes]
 
-// With two cores one is left for the system that runs.
+// Half of the cores, so that the running system has the others.
 std::string number_of_jobs() { return std::to_string(std::max(1U, std::thread::hardware_concurrency() / 2)); }
 
-// Calls a function again and again, and a last time at its end, in a thread of its own.
+// Calls a function again and again in another thread, and once more in the destructor.
 class Repeated {
 public:
     explicit Repeated(std::function<void()> work) : work_(std::move(work)) {
@@ -46,7 +46,7 @@ public:
                 }
             });
         } catch (const std::system_error&) {
-            // Then it is called at the end only.
+            // Without a thread, the function is called only in the destructor.
         }
     }
     ~Repeated() {
@@ -63,7 +63,7 @@ private:
     std::thread thread_;
 };
 
-// Runs a program, and calls `work` meanwhile.
+// Runs a program, and calls `work` again and again while it runs.
 Expected<ProgramEnd> run_watched(const ProgramRun& run, const std::function<void()>& work) {
     const Repeated repeated(work);
     return run_program(run);
@@ -115,7 +115,7 @@ Expected<std::vector<std::string>> words_of_page(const TestMessage& message, con
         return std::vector<std::string>{"open", (project / message.file).string()};
     }
     if (auto ok = check_file(message.file); !ok) return Unexpected(ok.error());
-    if (message.name.empty()) return failure("'name' must be that of a scenario");
+    if (message.name.empty()) return failure("'name' must be the name of a scenario");
     return std::vector<std::string>{"test",   "--project", project.string(), "--filter=" + message.name,
                                     "--show", message.file};
 }
@@ -195,7 +195,7 @@ void ScenarioRuns::list(ClientId client, std::int64_t id) const {
 void ScenarioRuns::run(ClientId client, const TestMessage& message) {
     std::vector<std::string> words{
         "nice", "-n", "10", program_, "test", "--project", project_.string(), "--tap", "--jobs", number_of_jobs()};
-    // Not the folder of a failed run: those do not begin with a dot.
+    // The names begin with a dot, so that they differ from the folders of failed runs.
     const std::filesystem::path plots = project_ / kept_runs / ".plots", covered = project_ / kept_runs / ".coverage";
     std::error_code ignored;
     for (const auto& folder : {plots, covered}) std::filesystem::remove_all(folder, ignored);
@@ -208,7 +208,7 @@ void ScenarioRuns::run(ClientId client, const TestMessage& message) {
     const auto tell = [&] {
         std::string text = output.text();
         text.erase(0, sent);
-        text.resize(text.rfind('\n') + 1);  // whole lines
+        text.resize(text.rfind('\n') + 1);  // sends only whole lines
         if (text.empty()) return;
         sent += text.size();
         send_(client, json_text(Json{{"is", "tests"}, {"text", text}}));
@@ -269,7 +269,7 @@ std::vector<std::string> ScenarioRuns::recordings() const {
 }
 
 void ScenarioRuns::judge(ClientId client, std::int64_t id, const std::string& recording, const std::string& behavior) {
-    // Only what was found: no name leads out of the project.
+    // Accepts only files that were found in the project, so no name leads out of it.
     if (!contains(recordings(), recording))
         return answer(client, id, false, "'" + shown(recording) + "' is not a recording of this project");
     if (!behavior.ends_with(".lua") || !contains(EditedFiles(project_).names(), behavior))

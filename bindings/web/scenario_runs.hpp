@@ -16,19 +16,19 @@
 
 namespace nezumi::web {
 
-/// The arguments of nezumi that show what `message` asks for, a failed run (open) or one that is made (watch), in a
-/// page of its own. An error: the message names something else.
+/// The arguments of nezumi that show a run in a page of its own: a failed run (`open`), or a new run of a scenario
+/// (`watch`). Returns an error if the message names something else.
 Expected<std::vector<std::string>> words_of_page(const TestMessage& message, const std::filesystem::path& project);
 
 class ScenarioRuns {
 public:
-    /// Takes a message to a browser, a JSON object; called in any thread.
+    /// Sends a message to a browser, a JSON object; called in any thread.
     using Send = std::function<void(ClientId client, std::string message)>;
 
     /// `project` is the folder of the project; empty: there are no scenarios. `program` is nezumi; "": nothing runs.
     /// `listen` is the address for the pages of runs; "": only this computer reaches them.
     ScenarioRuns(std::filesystem::path project, std::string program, std::string listen, Send send);
-    /// Ends what runs.
+    /// Ends all running programs.
     ~ScenarioRuns();
     ScenarioRuns(const ScenarioRuns&) = delete;
     ScenarioRuns& operator=(const ScenarioRuns&) = delete;
@@ -40,7 +40,7 @@ public:
 
     /// [s] A run of scenarios that takes longer is ended, and so is the page of a run.
     static constexpr double longest_run = 3600;
-    /// Pages of runs at a time.
+    /// The most pages of runs that may be open at a time.
     static constexpr std::size_t most_open = 4;
 
 private:

@@ -1,4 +1,4 @@
-// One request at a time: a person who moves the slider of time wants the last one.
+// Handles one request at a time: while a person moves the slider of time, only the last request counts.
 #include "bindings/web/seeks.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace nezumi::web {
 Expected<void> Seeks::begin(ClientId client, std::int64_t id, const Actor& who, const Seek& where) {
     auto begun = live_.begin_seek(where);
     if (!begun) return Unexpected(begun.error());
-    if (past_) answer_(client_, id_, {});  // the browser has another wish
+    if (past_) answer_(client_, id_, {});  // answers the old request, which the new one replaces
     clock_.pause();
     client_ = client;
     id_ = id;

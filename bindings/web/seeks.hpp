@@ -20,7 +20,7 @@ public:
     Seeks(RunningSystem& live, ClockControl& clock, Answer answer)
         : live_(live), clock_(clock), answer_(std::move(answer)) {}
 
-    /// Pauses time and begins to go there. A request that is not over yet is given up.
+    /// Pauses time and begins to go to `where`. Cancels an earlier request that is not finished.
     Expected<void> begin(ClientId client, std::int64_t id, const Actor& who, const Seek& where);
     /// Goes on until this time, at least a little. Returns whether there is more to do.
     bool serve(PastRun::Clock::time_point until);

@@ -16,7 +16,8 @@ using ClientId = std::uint64_t;
 
 /// The longest message of a browser [bytes]; a longer one closes its connection.
 inline constexpr std::size_t longest_message = std::size_t{1} << 20;
-/// Browsers at once, and how many of them may be view-only: so they can't exclude browsers that may stop the robots.
+/// The most browsers at a time, and the most view-only ones of them. So view-only browsers can't take all places of
+/// browsers that may stop the robots.
 inline constexpr std::size_t most_clients = 32;
 inline constexpr std::size_t most_viewers = 24;
 
@@ -26,28 +27,28 @@ struct HttpRequest {
     std::string_view host;
     std::string_view origin;
     std::string_view protocols;  ///< offered by a WebSocket
-    std::string_view source{};   ///< the browser's address, of a WebSocket
+    std::string_view source{};   ///< for a WebSocket: the network address of the browser
 };
 
 struct HttpReply {
     int status = 200;
     std::string type = "text/plain; charset=utf-8";
     std::string body{};
-    std::vector<std::pair<std::string, std::string>> headers{};  ///< besides type and length
+    std::vector<std::pair<std::string, std::string>> headers{};  ///< in addition to the content's type and length
 };
 
 /// Whether a browser is admitted, and its permissions.
 struct Admission {
     int refused = 0;  ///< an HTTP status, or 0: admitted
     bool view_only = false;
-    int seat = 0;  ///< for the site's own use
+    int seat = 0;  ///< a number that only the site uses
 };
 
 /// A message to a browser.
 struct Outgoing {
     bool binary = false;
     std::string bytes{};
-    bool closes = false;  ///< the connection is closed instead
+    bool closes = false;  ///< true: nothing is sent, and the connection is closed
 };
 
 /// Called only in the sockets' thread.

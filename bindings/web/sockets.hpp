@@ -22,9 +22,9 @@ struct SocketOptions {
     std::string address = "127.0.0.1";
     int first_port = 8765;               ///< 0: any free port
     int ports = 1;                       ///< number of ports to try, from the first
-    std::size_t clients = most_clients;  ///< browsers at once
-    int relay = -1;                      ///< a socket of `open_relay`, then there is no port; -1: none
-    std::string certificate{}, key{};    ///< files for TLS, then plain HTTP is not served; "": plain HTTP
+    std::size_t clients = most_clients;  ///< the most browsers at a time
+    int relay = -1;                      ///< a socket for `open_relay`, which is used instead of a port; -1: none
+    std::string certificate{}, key{};    ///< files for TLS, which is used instead of plain HTTP; "": plain HTTP
 };
 
 /// Starts to listen. `site` must outlive the sockets. An error gives the reason in one line.
@@ -33,7 +33,7 @@ Expected<std::unique_ptr<Sockets>> open_sockets(const SocketOptions& options, Si
 // The interface between the program and its module. Both are built together.
 inline constexpr const char* web_module = "nezumi_sockets.so";
 inline constexpr const char* open_in_module = "nezumi_open_sockets";
-/// The module's only function. Returns new sockets, or nullptr with the `problem`. Never throws.
+/// The only function that the module exports. Returns new sockets, or sets `problem` and returns nullptr. Never throws.
 using OpenInModule = Sockets*(const SocketOptions& options, Site& site, std::string& problem);
 
 }  // namespace nezumi::web

@@ -29,7 +29,8 @@ namespace {
 
 // Time for browsers to receive the rest when the run ends.
 constexpr std::chrono::milliseconds farewell{300};
-// Connections of all kinds: browsers, connections without a token, and those of the latter that are being closed.
+// The most connections of all kinds: browsers, connections without a token, and connections without a token that are
+// being closed.
 unsigned most_connections(const SocketOptions& options) {
     return static_cast<unsigned>(options.clients + 2 * Unadmitted::most);
 }
@@ -41,7 +42,7 @@ constexpr std::size_t longest_header = 512;
 constexpr std::uint16_t ping_after = 2;
 constexpr std::uint16_t close_after = 7;
 
-// The data of a connection; stored by libwebsockets, zeroed at first.
+// The data of a connection. libwebsockets stores them, and sets them to zero first.
 struct FilePart {
     std::string* body;  // part of the answer not yet written
     std::size_t written;
@@ -115,7 +116,7 @@ private:
     lws_context* context_ = nullptr;
     std::thread thread_;
     std::atomic<bool> ends_ = false;
-    std::atomic<bool> at_once_ = false;  // no waiting for browsers
+    std::atomic<bool> at_once_ = false;  // end without waiting for browsers
     int browsers_ = 0;                   // used by the thread
     Unadmitted unadmitted_;              // used by the thread
     Mutex mutex_;                        // for ended_
@@ -181,7 +182,7 @@ bool WebSockets::listen(const SocketOptions& options, int port) {
         info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
         info.ssl_cert_filepath = options.certificate.c_str();
         info.ssl_private_key_filepath = options.key.c_str();
-        info.alpn = "http/1.1";  // WebSockets start from HTTP/1.1, and the header Host has the requested name
+        info.alpn = "http/1.1";  // a WebSocket begins as HTTP/1.1, whose header Host has the requested name
     }
     info.keepalive_timeout = Unadmitted::longest_stay.count();
     info.timeout_secs = Unadmitted::longest_stay.count();
@@ -314,7 +315,7 @@ int WebSockets::file_event(lws* socket, lws_callback_reasons reason, void* user,
             if (part != nullptr) delete std::exchange(part->body, nullptr);
             return 0;
         case LWS_CALLBACK_ESTABLISHED:
-        case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION: return -1;  // no WebSocket on the protocol for files
+        case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION: return -1;  // refuses a WebSocket with the protocol for files
         default: return 0;
     }
 }

@@ -79,7 +79,8 @@ std::unique_ptr<State> StateReader::at(std::unique_ptr<State> state, const Watch
         counts_.clear();
         state.reset();
     }
-    // If more is watched, also values that other browsers already have must be sent.
+    // If the watched set changes, all watched values are read again: a browser may lack values that others already
+    // have.
     if (!(watched_ == wanted)) {
         watched_ = wanted;
         counts_.clear();

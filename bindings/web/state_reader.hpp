@@ -18,7 +18,7 @@ public:
     /// `live` and `clock` must outlive this object.
     StateReader(const RunningSystem& live, const ClockControl& clock) : live_(live), clock_(clock) {}
 
-    /// Adds changes to a state that was not used yet, or begins a new one.
+    /// Adds changes to a state that no browser has got yet, or begins a new state if `state` is null.
     std::unique_ptr<State> at(std::unique_ptr<State> state, const Watch& wanted, double late);
 
 private:
@@ -28,8 +28,8 @@ private:
     const RunningSystem& live_;
     const ClockControl& clock_;
     int starts_ = 0;
-    std::uint64_t layout_ = 0;  // of the system
-    std::uint64_t number_ = 0;  // of the layout, over restarts
+    std::uint64_t layout_ = 0;  // layout of the system at the last reading
+    std::uint64_t number_ = 0;  // counts layouts; goes on over restarts
     Watch watched_;
     std::map<std::string, std::uint64_t, std::less<>> counts_;  // message counts of ports at the last reading
 };

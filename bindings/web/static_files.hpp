@@ -13,7 +13,7 @@ public:
     /// `page` is the folder of the page's own files, `libraries` that of the scripts.
     StaticFiles(std::filesystem::path page, std::filesystem::path libraries)
         : page_(std::move(page)), libraries_(std::move(libraries)) {}
-    /// The scripts are those that Debian's packages install, unless nezumi has brought its own (.ci/portable).
+    /// Uses the scripts that Debian's packages install, or those that nezumi brings itself (.ci/portable).
     explicit StaticFiles(const std::filesystem::path& page);
 
     /// Returns the file at "/", "/main.js", "/lib/three/three.module.js". Folders are not listed. Names that begin with

@@ -1,4 +1,4 @@
-// Written as a whole each time, because it changes rarely.
+// Always writes the whole description, because it changes rarely.
 #include "bindings/web/system_json.hpp"
 
 #include <algorithm>
@@ -176,7 +176,7 @@ Json robot_to_json(const Robot& robot) {
             {"distances", distances_to_json(spec)}};
 }
 
-// Where a file describes it; null if that is not known.
+// The location of a description in a file; null if the location is not known.
 Json place_to_json(const Place* place) {
     if (place == nullptr || place->line == 0) return {};
     return {{"file", place->file}, {"line", place->line}};
@@ -220,7 +220,7 @@ void for_each_port(const System& system, const Visit& visit) {
     }
 }
 
-// The largest number of ports shown per host: other hosts are not trusted.
+// The largest number of ports shown per host. It is limited, because other hosts are not trusted.
 constexpr std::size_t most_offered = 500;
 
 Json hosts_to_json(const System& system) {
@@ -249,7 +249,7 @@ Json drivers_to_json(const System& system) {
     return drivers;
 }
 
-// The branches, and where the present stands among them.
+// The branches of the run, and the position of the present in them.
 Json past_to_json(const RunningSystem& live) {
     const RunHistory& history = live.history();
     Json branches = Json::array();

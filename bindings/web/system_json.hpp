@@ -11,7 +11,7 @@ namespace nezumi::web {
 /// Everything that does not change from tick to tick.
 nlohmann::ordered_json system_to_json(const RunningSystem& live);
 
-/// A number that changes when `system_to_json` may have changed; cheap.
+/// A number that changes whenever the result of `system_to_json` may have changed; fast to compute.
 std::uint64_t system_fingerprint(const RunningSystem& live);
 
 }  // namespace nezumi::web

@@ -1,4 +1,4 @@
-// Follows each type to the types of its fields.
+// Collects types by following each type to the types of its fields.
 #include "bindings/web/types_json.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,8 @@ using Json = nlohmann::ordered_json;
 
 std::string name_of(const Type& type) {
     switch (type.kind) {
-        // A message that a file defines may be a port's and within another one, where it has no stamp.
+        // A message type from a file may be the type of a port, with a stamp, or a field of another message, without
+        // one. "payload" means without the stamp.
         case Type::Kind::structure: return type.message != nullptr ? "payload " + type.name : type.name;
         case Type::Kind::sequence: return "sequence<" + name_of(*type.element) + ">";
         case Type::Kind::array: return fmt::format("array<{},{}>", name_of(*type.element), type.length);

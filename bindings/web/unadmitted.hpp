@@ -13,15 +13,16 @@ namespace nezumi::web {
 
 class Unadmitted {
 public:
-    /// At once, and of these from one address.
+    /// The most connections at a time, and the most from one address.
     static constexpr std::size_t most = 64, most_of_source = 32;
     /// The longest time without a request, or without receiving its answer.
     static constexpr std::chrono::seconds longest_stay{5};
 
     using Connection = const void*;
 
-    /// Adds a connection from the address `source`. Returns the connection to close for it, already removed, or null:
-    /// the oldest of an address with too many, or of the address with most.
+    /// Adds a connection from the address `source`. If there are too many now, removes one and returns it, to be
+    /// closed: the oldest of `source` if that has too many, otherwise the oldest of the address with most. Else returns
+    /// null.
     Connection add(Connection connection, std::string source) {
         ++counts_[source];
         waiting_.push_back({connection, std::move(source)});
@@ -37,7 +38,7 @@ public:
         remove(goes);
         return goes;
     }
-    /// It was closed, or has shown a token.
+    /// Removes a connection that was closed or that has shown a token.
     void remove(Connection connection) {
         const auto found = std::find_if(waiting_.begin(), waiting_.end(),
                                         [&](const Waiting& each) { return each.connection == connection; });

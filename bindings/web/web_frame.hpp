@@ -26,12 +26,13 @@ struct WebRobot {
         Field{"y", &WebRobot::y, "m", ""},
         Field{"z", &WebRobot::z, "m", "height over the floor"},
         Field{"yaw", &WebRobot::yaw, "rad", ""},
-        Field{"pitch", &WebRobot::pitch, "rad", "before the yaw; positive: its front goes down"},
-        Field{"roll", &WebRobot::roll, "rad", "before the pitch"},
-        Field{"is_truth", &WebRobot::is_truth, "", "the true pose in a simulation; otherwise its odometry"},
-        Field{"collided", &WebRobot::collided, "", "it touches something other than the floor"},
-        Field{"touches", &WebRobot::touches, "", "what that is"},
-        Field{"contacts", &WebRobot::contacts, "m", "where"},
+        Field{"pitch", &WebRobot::pitch, "rad", "rotation before the yaw; positive: the front is lower"},
+        Field{"roll", &WebRobot::roll, "rad", "rotation before the pitch"},
+        Field{"is_truth", &WebRobot::is_truth, "",
+              "true: the pose is the true one, of the simulation; false: it is odometry"},
+        Field{"collided", &WebRobot::collided, "", "the robot touches something other than the floor"},
+        Field{"touches", &WebRobot::touches, "", "what the robot touches"},
+        Field{"contacts", &WebRobot::contacts, "m", "where it touches"},
     };
 };
 struct WebThing {
@@ -61,7 +62,7 @@ struct WebRay {
     static constexpr FieldList fields{
         Field{"robot", &WebRay::robot, "", "its index among the system's robots"},
         Field{"from", &WebRay::from, "m", ""},
-        Field{"to", &WebRay::to, "m", "where it hits or ends"},
+        Field{"to", &WebRay::to, "m", "the point that the ray hits, or its end"},
         Field{"hit", &WebRay::hit, "", ""},
         Field{"distance", &WebRay::distance, "", "its place in the robot's distances"},
     };
@@ -111,7 +112,7 @@ struct WebFrame {
         Field{"tick", &WebFrame::tick, "", ""},
         Field{"running", &WebFrame::running, "", "time passes"},
         Field{"speed", &WebFrame::speed, "", "a factor of real time; infinite: as fast as possible"},
-        Field{"late", &WebFrame::late, "ms", "the latest tick"},
+        Field{"late", &WebFrame::late, "ms", "how late the latest tick was"},
         Field{"robots", &WebFrame::robots, "", "that have changed"},
         Field{"things", &WebFrame::things, "", "that have changed"},
         Field{"markers", &WebFrame::markers, "", "that have changed"},

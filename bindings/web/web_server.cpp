@@ -66,7 +66,7 @@ Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockC
     if (!options.only_shows.empty()) server->hub_.only_show(options.only_shows);
     const AccessControl& access = server->hub_.access();
     if (options.sockets.relay < 0 && (access.token().empty() || access.view_token().empty()))
-        return failure("the kernel gives no random numbers for the secret in its address");
+        return failure("the kernel gives no random numbers for the secret in the page's address");
     auto sockets = open_sockets(options.sockets, server->hub_);
     if (!sockets) return Unexpected(sockets.error());
     server->sockets_ = std::move(*sockets);
@@ -255,7 +255,7 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
     return Reply::later;
 }
 
-// An act that reads files: it must not hold a tick.
+// Prepares an act in another thread, because it reads files, and ticks must not wait for files.
 Expected<WebServer::Reply> WebServer::prepare(ClientId client, std::int64_t id, const Browser& browser,
                                               const ActMessage& wanted) {
     if (clock_.is_hardware() && std::holds_alternative<Restart>(wanted.act))
@@ -311,7 +311,7 @@ Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& brows
             clock_.set_speed(*speed);
             return {};
         }
-        case What::restart: return {};  // is not done here
+        case What::restart: return {};  // restart is handled before this function
         case What::quit:
             note("ends the run");
             clock_.quit();
@@ -321,7 +321,7 @@ Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& brows
 }
 
 void WebServer::describe_system(Clock::time_point now) {
-    // Frames must not contain things that browsers do not know yet.
+    // After a change of the layout, browsers need the description at once: frames refer to it.
     const bool other = layout_ != live_.system().layout() || starts_ != live_.generation();
     if (!other && now - described_ < std::chrono::duration<double>(1 / descriptions)) return;
     described_ = now;
@@ -338,7 +338,7 @@ void WebServer::describe_system(Clock::time_point now) {
 
 void WebServer::show(double late, Clock::time_point now) {
     if (now < due_) return;
-    // Counted from the last one, ticks of 10 ms would give 50 a second.
+    // The next time is counted from the due time, not from now: otherwise ticks of 10 ms would give 50 states a second.
     constexpr auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / states));
     due_ = (now - due_ < period ? due_ : now) + period;
     const Watch wanted = hub_.wanted();

@@ -32,11 +32,11 @@ struct WebOptions {
     SocketOptions sockets{};
     std::filesystem::path page{};  ///< folder of the page's files
     std::string version{};         ///< of nezumi
-    Pictures::Encode encode{};     ///< pictures for browsers
+    Pictures::Encode encode{};     ///< encodes pictures for browsers
     PeerSource peers{};            ///< optional
     EditorOptions editor{};
-    std::string only_shows{};               ///< why browsers may change nothing but the pace of time; "": they may
-    std::vector<std::string> conditions{};  ///< of a failed scenario that is looked at, one line for each
+    std::string only_shows{};               ///< why browsers may change only the pace of time; "": they may change all
+    std::vector<std::string> conditions{};  ///< of a failed scenario that the page shows, one line each
 };
 
 /// Must be called from the ticking thread.
@@ -44,11 +44,11 @@ class WebServer {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// The largest number of states per second for a browser, and of descriptions of the system.
+    /// The most states per second for a browser, and the most descriptions of the system per second.
     static constexpr double states = 60;
     static constexpr double descriptions = 10;
 
-    /// Starts to serve. All arguments must outlive it. An error gives the reason in one line.
+    /// Starts to serve. All arguments must outlive the server. An error gives the reason in one line.
     static Expected<std::unique_ptr<WebServer>> open(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options);
     /// Says goodbye to the browsers. Their holds stay as they are.
@@ -60,15 +60,15 @@ public:
     std::string url() const;
     std::string view_url() const;
 
-    /// Somebody has the page open; a class's own connection does not count.
+    /// Whether a browser has the page open. The own connection of a class does not count.
     bool is_watched() const;
-    /// Tells all browsers, also later ones, how it ended.
+    /// Tells all browsers, also later ones, how the run ended.
     void show_end(const std::string& text, bool is_good);
 
-    /// Processes requests until about `until` and sends changes. `late` is the lateness of the last tick [s]. Returns
-    /// true if more work waits.
+    /// Processes requests until about `until` and sends changes. `late` is how late the last tick was [s]. Returns true
+    /// if more work waits.
     bool serve(Clock::time_point until, double late);
-    /// Readable when `serve` has work.
+    /// Adds the file descriptors that are readable when `serve` has work.
     void add_files(std::vector<int>& files) const;
 
     /// Sends the line to the browsers.
@@ -106,7 +106,7 @@ private:
     ConsoleRelay relay_;
     std::map<ClientId, Browser> browsers_;
     std::vector<Hub::Incoming> waiting_;
-    std::size_t dealt_ = 0;  // of waiting_
+    std::size_t dealt_ = 0;  // number of handled messages in waiting_
     struct Prepared {
         ClientId client = 0;
         std::int64_t id = 0;

@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-/// The elements of a vector of unique pointers, as pointers to constants. The vector must outlive it.
-/// (`std::views::transform` would be the same, but clang 14 can't compile libstdc++'s.)
+/// The elements of a vector of unique pointers, as pointers to constants. The vector must outlive the view.
+/// (`std::views::transform` would do the same, but clang 14 can't compile that of libstdc++.)
 template <class T>
 class ConstView {
 public:

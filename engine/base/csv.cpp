@@ -14,12 +14,13 @@
 namespace nezumi {
 namespace {
 
-// No length, angle or sensor value of a robot is near this; larger values make the physics unstable.
+// The largest accepted magnitude. Values of robots are much smaller; larger ones make the physics unstable.
 constexpr double largest = 1e6;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// Returns the end of the field that begins at `at`: its comma or the end of the row. npos if a quote is not closed.
+// Returns the end of the field that begins at `at`: the comma after it, or the end of the row. npos if a quote is not
+// closed.
 std::size_t end_of_field(std::string_view row, std::size_t at) {
     while (at < row.size() && is_blank(row[at])) ++at;
     while (at < row.size() && row[at] == '"') {  // two quotes within quotes mean one
@@ -30,7 +31,7 @@ std::size_t end_of_field(std::string_view row, std::size_t at) {
     return std::min(row.find(',', at), row.size());
 }
 
-// Adds the fields of a row. Returns false if a quote is not closed; then the fields before it were added.
+// Adds the fields of a row. If a quote is not closed, adds only the fields before it and returns false.
 bool split(std::string_view row, std::vector<std::string_view>& fields) {
     for (std::size_t begin = 0;;) {
         const std::size_t end = end_of_field(row, begin);

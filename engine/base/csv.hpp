@@ -23,16 +23,18 @@ std::string csv_row(const std::vector<Text>& fields) {
     for (std::size_t i = 0; i < fields.size(); ++i) row.append(i > 0 ? 1 : 0, ',').append(fields[i]);
     return row;
 }
-/// The fields of a row with their quotes and blanks; commas within quotes do not separate. Nothing if a quote is not
-/// closed.
+/// The fields of a row with their quotes and blanks; commas within quotes do not separate fields. Nothing if a quote is
+/// not closed.
 std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row);
-/// Splits any row. A field with an open quote, which includes the rest of the row, is omitted.
+/// Like `split_csv_row`, but accepts a quote that is not closed: omits the field with this quote, which is the rest of
+/// the row.
 std::vector<std::string_view> closed_csv_fields(std::string_view row);
-/// The text of such a field, without its quotes and the blanks around it.
+/// The text of a field of `split_csv_row`, without quotes and without blanks around it.
 std::string csv_text(std::string_view field);
-/// Reads the next row without its line end; line ends within quotes belong to the row. False at the end.
+/// Reads the next row without its line end; line ends within quotes belong to the row. Returns false at the end of the
+/// input.
 bool read_csv_row(std::istream& in, std::string& row);
-/// The end of the row that begins at `from`, after its line end; nothing if the text ends before.
+/// The position after the line end of the row that begins at `from`; nothing if the text has no such line end.
 std::optional<std::size_t> end_of_csv_row(std::string_view text, std::size_t from);
 
 /// A required column of a table, and its allowed numbers.

@@ -1,4 +1,4 @@
-// File descriptors: one that is closed automatically, and how many servers leave for others.
+// File descriptors: a class that closes one automatically, and the number that servers leave free for other uses.
 #pragma once
 
 #include <sys/resource.h>
@@ -36,11 +36,11 @@ private:
     int file_ = -1;
 };
 
-/// Number of descriptors that servers leave for robots, recordings and other files, and for these and consoles; at most
-/// an eighth and a quarter of the limit of the process.
+/// Numbers of descriptors that servers leave free: for files (of robots, recordings, ...), and for files and consoles.
+/// A server leaves at most an eighth, or a quarter, of the limit of the process free.
 inline constexpr rlim_t for_files = 32, for_files_and_consoles = 96;
 
-/// Whether `count` more can be opened after this one, which has the lowest free number.
+/// Whether `count` (one of the numbers above) descriptors are free after `descriptor`, which was opened last.
 inline bool leaves_free(int descriptor, rlim_t count) {
     rlimit limit{};
     if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return true;

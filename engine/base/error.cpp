@@ -31,7 +31,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return previous[b.size()];
 }
 
-// True if one of two names is a complete part of the other, ignoring case: "velocity" of "TimedVelocity2D".
+// Whether `whole` contains `part`, ignoring case: "TimedVelocity2D" contains "velocity".
 bool has_part(std::string_view whole, std::string_view part) {
     const auto same = [](char a, char b) { return lower(a) == lower(b); };
     return std::search(whole.begin(), whole.end(), part.begin(), part.end(), same) != whole.end();

@@ -36,7 +36,7 @@ struct Error {
     std::string message;  ///< one plain sentence: what was found, what was expected, what to do
     Place place{};        ///< where it was found, if it is in a file
     Kind kind = Kind::ordinary;
-    std::shared_ptr<const ErrorFrames> frames{};  ///< of a running script; null: none
+    std::shared_ptr<const ErrorFrames> frames{};  ///< the calls of a running script; null: none
 
     bool operator==(const Error& other) const {
         return message == other.message && place == other.place && kind == other.kind;
@@ -75,7 +75,8 @@ template <class Things, class Name>
 std::string did_you_mean(std::string_view name, const Things& things, Name name_of) {
     std::vector<std::string_view> candidates;
     for (const auto& thing : things) {
-        static_assert(!std::is_same_v<decltype(std::invoke(name_of, thing)), std::string>, "it would end too early");
+        static_assert(!std::is_same_v<decltype(std::invoke(name_of, thing)), std::string>,
+                      "the returned copy would be destroyed too early");
         candidates.emplace_back(std::invoke(name_of, thing));
     }
     return did_you_mean(name, candidates);

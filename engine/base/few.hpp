@@ -1,4 +1,4 @@
-// A list that usually has one element, which needs no memory of its own.
+// A list that usually has one element, and needs no allocated memory for one.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,7 @@
 namespace nezumi {
 namespace {
 
-// [bytes] per write; between two of them the writer may be abandoned.
+// [bytes] per write. The writing can be given up only between two writes.
 constexpr std::size_t portion = std::size_t{1} << 18;
 // Time [ms] to wait for a pipe before the next check.
 constexpr int glance = 20;
@@ -28,7 +28,7 @@ FileWriter::FileWriter(int file, std::size_t most_waiting) : most_waiting_(most_
     struct stat status {};
     if (fstat(file_, &status) == 0 && !S_ISREG(status.st_mode))
         fcntl(file_, F_SETFL, fcntl(file_, F_GETFL) | O_NONBLOCK);
-    // Signals must go to the thread that runs the loop, because they end its waiting.
+    // The writing thread blocks signals: they must reach the thread of the tick loop, because they end its waiting.
     thread_ = start_thread([this] { run(); });
 }
 
@@ -102,7 +102,7 @@ int FileWriter::write(std::string_view text) const {
     return 0;
 }
 
-// Writes a text at the position `kept_` and removes everything behind it.
+// Writes a text at the position `kept_` and removes everything after the text.
 int FileWriter::write_over(std::string_view text) const {
     const auto at = static_cast<off_t>(kept_);
     if (lseek(file_, at, SEEK_SET) < 0) return errno;

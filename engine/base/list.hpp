@@ -1,4 +1,4 @@
-// Elements of lists, compared one after another: for short lists.
+// Searches for a value in a short list, element by element.
 #pragma once
 
 #include <utility>

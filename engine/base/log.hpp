@@ -14,8 +14,8 @@ std::string_view to_text(LogLevel level);
 
 struct LogLine {
     LogLevel level = LogLevel::info;
-    double seconds = 0;     ///< [s] time of the system: simulated time, or of the clock if robots are real
-    std::string component;  ///< its name, or "" for the system itself
+    double seconds = 0;     ///< [s] time of the system: simulated, or by the clock if robots are real
+    std::string component;  ///< name of the component, or "" for the system itself
     std::string text;
     int start = 1;  ///< number of starts of the system: 1 at first, one more with each restart
     bool operator==(const LogLine&) const = default;

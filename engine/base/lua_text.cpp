@@ -1,4 +1,4 @@
-// Escapes are those that Lua and YAML share.
+// Uses only escapes that both Lua and YAML understand.
 #include "engine/base/lua_text.hpp"
 
 #include <fmt/format.h>

@@ -17,10 +17,11 @@ std::filesystem::path path_of(const Module& module) {
 }  // namespace
 
 std::filesystem::path own_program() {
-    // Where a script starts this program by a loader of its own, the kernel knows the loader only (.ci/portable).
+    // The portable package (.ci/portable) starts this program through its own dynamic loader. The kernel then knows
+    // only the loader, so the start script sets this variable.
     if (const char* script = std::getenv("NEZUMI_PROGRAM")) return script;
     std::error_code none;
-    // A link of the kernel, which a confined program may read too.
+    // The kernel's link to the program, which a confined program may read too.
     return std::filesystem::read_symlink("/proc/self/exe", none);
 }
 
@@ -42,7 +43,7 @@ Expected<void*> load_function(const Module& module) {
                         module.part, dlerror(), module.needs));
     void* function = dlsym(library, std::string(module.function).c_str());
     if (function == nullptr)
-        return failure(fmt::format("{} is of another version of nezumi: install it again", file.string()));
+        return failure(fmt::format("{} is of another version of nezumi: install nezumi again", file.string()));
     return function;
 }
 

@@ -9,22 +9,22 @@
 
 namespace nezumi {
 
-/// This program's own file; what belongs to it is beside its folder, in ../share and ../lib. Empty if it is unknown.
+/// The path of this program. Its data and libraries are in ../share and ../lib of its folder. Empty if it is unknown.
 std::filesystem::path own_program();
 
 /// A function of a module: a shared library in the program's library folder.
 struct Module {
     std::string_view file;      ///< "nezumi_camera.so"
     std::string_view function;  ///< does not throw
-    std::string_view part;      ///< what it is for, in errors: "cameras"
-    std::string_view needs;     ///< the package that is needed to load it
+    std::string_view part;      ///< what the module is for, in errors: "cameras"
+    std::string_view needs;     ///< the package that the module needs
 };
 
-/// Whether this program was built with the module. A static program, which can load nothing, has none.
+/// Whether this program was built with the module: whether its file exists. A static program has no modules.
 bool is_built_with(const Module& module);
 
-/// Loads a module and finds its function; it stays loaded until the program ends. An error says what to install, or
-/// that this program was built without the module.
+/// Loads a module and finds its function. The module stays loaded until the program ends. The error says what to
+/// install, or that this program was built without the module.
 Expected<void*> load_function(const Module& module);
 
 }  // namespace nezumi

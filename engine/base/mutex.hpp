@@ -7,9 +7,9 @@
 
 namespace nezumi {
 
-/// The thread that holds it inherits the priority of a waiting thread (PTHREAD_PRIO_INHERIT); otherwise, on a busy
-/// machine, the ticking thread of `--realtime` could wait for a thread that gets no processor. Without real-time
-/// priorities it is as fast as a std::mutex. It is a std::mutex, so condition variables accept it.
+/// A mutex whose holder inherits the priority of a waiting thread (PTHREAD_PRIO_INHERIT). Otherwise, on a busy machine,
+/// the ticking thread of `--realtime` could wait for a thread that gets no processor. Without real-time priorities this
+/// mutex is as fast as a std::mutex. Condition variables accept it, because it is a std::mutex.
 class Mutex : public std::mutex {
 public:
     Mutex() {

@@ -1,4 +1,4 @@
-// Numbers that are a whole text.
+// Converts texts to numbers.
 #pragma once
 
 #include <charconv>
@@ -9,8 +9,8 @@
 
 namespace nezumi {
 
-/// The number that this whole text is, without blanks and without a plus sign; nothing for any other text, and for a
-/// number that its type can't hold. `base`: of a whole number, if it is not 10.
+/// Converts a whole text to a number. Nothing if the text has anything else (blanks, a plus sign), or if the type can't
+/// hold the number. `base` is the base of a whole number; 10 if it is omitted.
 template <class Number, class... Base>
 std::optional<Number> number_in(std::string_view text, Base... base) {
     Number number{};
@@ -26,7 +26,7 @@ inline std::optional<double> finite_in(std::string_view text) {
     return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-/// The same, which may have a plus sign, as files of other programs have it.
+/// Like `finite_in`, but the number may have a plus sign, because files of other programs have such numbers.
 inline std::optional<double> signed_finite_in(std::string_view text) {
     if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
     return finite_in(text);

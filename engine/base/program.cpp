@@ -122,7 +122,7 @@ Expected<ProgramEnd> wait_for(pid_t child, const ProgramRun& run) {
         if (give_up() || is_too_long()) {
             kill(run.is_in_front ? child : -child, SIGKILL);  // including its child processes
             waitpid(child, &status, 0);
-            return failure(give_up() ? "it was given up" : fmt::format("it took more than {} s", run.longest));
+            return failure(give_up() ? "it was stopped early" : fmt::format("it took more than {} s", run.longest));
         }
         std::this_thread::sleep_for(nap);
     }

@@ -13,11 +13,11 @@ namespace nezumi {
 /// Whether a program of this name can be run, as execvp searches for it.
 bool can_run(const std::string& program);
 
-/// A file without a name, for input or output of a program. A pipe would block without a reader, and would raise a
-/// signal if its reader is gone.
+/// A file without a name, for the input or output of a program. It is used instead of a pipe, because writing to a pipe
+/// can block, and raises a signal if there is no reader any more.
 class UnnamedFile {
 public:
-    /// Contains this text, and is read from its start.
+    /// The file contains `text`, and is read from its start.
     explicit UnnamedFile(std::string_view text = {});
     ~UnnamedFile();
     UnnamedFile(const UnnamedFile&) = delete;
@@ -40,25 +40,25 @@ inline constexpr int no_file = -1;
 inline constexpr int own_file = -2;
 
 struct ProgramRun {
-    std::vector<std::string> words;  ///< its name and arguments; no shell interprets them
-    int input = no_file;             ///< a file, `no_file` or `own_file`, like the others
+    std::vector<std::string> words;  ///< the program's name and arguments; no shell interprets them
+    int input = no_file;             ///< a descriptor, `no_file` or `own_file`; also for `output` and `errors`
     int output = no_file;
     int errors = no_file;
-    bool keeps_output = false;                   ///< output to `output` is stored instead
-    bool is_in_front = false;                    ///< it owns the terminal: it reads there, and Ctrl-C also stops it
-    double longest = 20;                         ///< [s] after this it is killed
-    const std::atomic<bool>* give_up = nullptr;  ///< it is killed as soon as this is true
-    std::atomic<int>* process = nullptr;         ///< gets its number while it runs, then 0
+    bool keeps_output = false;                   ///< stores the output in `ProgramEnd::out`, and ignores `output`
+    bool is_in_front = false;                    ///< the program may read from the terminal, and Ctrl-C also stops it
+    double longest = 20;                         ///< [s] after this time the program is killed
+    const std::atomic<bool>* give_up = nullptr;  ///< the program is killed as soon as this is true
+    std::atomic<int>* process = nullptr;         ///< gets the process number of the running program, then 0
 };
 
 /// The end of a program.
 struct ProgramEnd {
-    int status = 0;   ///< its exit status; after a signal 128 plus its number
-    int signal = 0;   ///< the signal that ended it; 0: none
-    std::string out;  ///< its output, if it is stored
+    int status = 0;   ///< exit status; after a signal 128 plus the number of the signal
+    int signal = 0;   ///< the signal that ended the program; 0: none
+    std::string out;  ///< the output, with `ProgramRun::keeps_output`
 };
 
-/// Runs a program and waits for its end. An error if it can't be run, or was killed.
+/// Runs a program and waits for its end. An error if the program can't be run or was killed.
 Expected<ProgramEnd> run_program(const ProgramRun& run);
 
 /// The error of a program: "" if it ended with status 0.

@@ -52,7 +52,7 @@ Expected<ResultFile> ResultFile::open(const std::string& file) {
         ::close(std::exchange(result.descriptor_, fresh));
         return result;
     }
-    // If no file can be made beside it, it is emptied.
+    // If no new file can be made beside the older one, the older one is emptied.
     if (!result.set_aside_.empty()) std::rename(result.set_aside_.c_str(), result.path_.c_str());
     result.set_aside_.clear();
     if (ftruncate(result.descriptor_, 0) == 0) return result;
@@ -62,7 +62,7 @@ Expected<ResultFile> ResultFile::open(const std::string& file) {
 }
 
 std::string ResultFile::told_of_older() const {
-    return set_aside_.empty() ? "" : ", and what was there before is now " + set_aside_;
+    return set_aside_.empty() ? "" : ", and the previous file is now " + set_aside_;
 }
 
 void ResultFile::replace_older() {
@@ -103,7 +103,7 @@ void ResultFile::cut_to_rows(std::uint64_t from, std::string_view note) {
         whole = from + *end_of_row;
         if (whole + note.size() <= size) with_note = whole;
     }
-    // At first after the last row: if the disk has space again, no row needs to be removed for the note.
+    // Tries to write the note after the last row first: if the disk has space again, the note replaces no row.
     const auto put = [&](std::uint64_t place) {
         return pwrite(file, note.data(), note.size(), static_cast<off_t>(place)) == static_cast<ssize_t>(note.size());
     };

@@ -1,4 +1,4 @@
-// A file that a run writes while it goes on. The older file with its name is kept until the new one is complete.
+// A file that a run writes step by step. An older file with the same name is kept until the new one is complete.
 #pragma once
 
 #include <cstdint>
@@ -19,24 +19,24 @@ public:
 
     /// Open for writing, empty. The caller must close it.
     int descriptor() const { return descriptor_; }
-    /// The file without links; empty: it is a device or a pipe, and can be neither read again nor removed.
+    /// The path of the file, with links resolved. Empty for a device or a pipe, which can't be read again or removed.
     const std::string& path() const { return path_; }
     /// The path of the older file; empty if there was none.
     const std::string& set_aside() const { return set_aside_; }
-    /// ", and what was there before is now FILE~": an addition to the message that the new file is not complete; "" if
+    /// ", and the previous file is now FILE~": an addition to the message that the new file is not complete; "" if
     /// there was no older file.
     std::string told_of_older() const;
 
     // Call these functions after the descriptor is closed.
 
-    /// The new file is complete: removes the older one.
+    /// Removes the older file. Call it when the new file is complete.
     void replace_older();
-    /// There is no new file: the older one gets its name back.
+    /// Removes the new file. The older file gets its name back.
     void discard();
-    /// Keeps what could be written, up to its last complete row, with `note` as a line after it if there is room.
-    /// `from` is the start of a row some bytes before the end [bytes].
+    /// Cuts the new file after its last complete row, and adds the line `note` there if the disk has space. `from` is
+    /// the position [bytes] of the start of any row near the end: the last row is searched from there.
     void cut_to_rows(std::uint64_t from, std::string_view note);
-    /// Keeps the first bytes.
+    /// Cuts the new file after this number of bytes.
     void cut_to(std::uint64_t bytes);
 
 private:

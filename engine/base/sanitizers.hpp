@@ -1,5 +1,6 @@
 // Defines NEZUMI_THREAD_SANITIZER and NEZUMI_ADDRESS_SANITIZER if this is built with ThreadSanitizer or
-// AddressSanitizer, which clang and g++ announce differently. AddressSanitizer checks only blocks of `malloc`.
+// AddressSanitizer, which clang and g++ announce differently. AddressSanitizer checks only blocks of `malloc`, so
+// a build with it must not use memory pools.
 #pragma once
 
 #if defined(__SANITIZE_THREAD__)

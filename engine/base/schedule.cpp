@@ -53,7 +53,7 @@ bool is_due(std::int64_t k, double rate, double tick_rate, std::int64_t left_out
     if (rate <= 0 || rate >= tick_rate || k <= left_out) return true;
     const std::uint64_t component = micro(rate);
     const std::uint64_t tick = micro(tick_rate);
-    // The quotient has increased in a tick if the remainder is less than this.
+    // floor(k * rate / tick_rate) has grown in the last `ticks` ticks if the remainder is less than ticks * component.
     const std::uint64_t ticks = static_cast<std::uint64_t>(left_out) + 1;
     if (ticks > tick / component) return true;
     return product_modulo(static_cast<std::uint64_t>(k) % tick, component, tick) < ticks * component;

@@ -15,8 +15,8 @@ inline constexpr double slowest_rate = 1e-6, fastest_rate = 1e6;
 Expected<int> steps_per_tick(double rate, double physics_step);
 
 /// Whether something that runs at `rate` [Hz] is due in tick `k`, counted from 0, with `tick_rate` [Hz] ticks per
-/// second: if floor(k * rate / tick_rate) grows. If it was due in one of the `left_out` ticks before `k`, it is due in
-/// `k`, once.
+/// second: if floor(k * rate / tick_rate) grows. If it was due in one of the `left_out` skipped ticks before `k`, it is
+/// due in `k`, once.
 bool is_due(std::int64_t k, double rate, double tick_rate, std::int64_t left_out = 0);
 
 }  // namespace nezumi

@@ -15,7 +15,7 @@ StagedFile::StagedFile(std::string file, mode_t mode) : file_(std::move(file)), 
     const std::string folder = std::filesystem::path(file_).parent_path().string();
     descriptor_ = open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
     if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == ENOTDIR)) {
-        unlink(beside_.c_str());  // a remaining file, or a FIFO on which opening would block
+        unlink(beside_.c_str());  // left by an earlier program, or a FIFO on which opening would block
         descriptor_ = open(beside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         named_ = descriptor_ >= 0;
     }

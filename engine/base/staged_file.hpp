@@ -11,7 +11,7 @@ namespace nezumi {
 /// names (O_TMPFILE); otherwise SIGKILL leaves "FILE.new", which the next file of this name replaces.
 class StagedFile {
 public:
-    /// Opens it in the folder of `file`, which may already exist, with this mode.
+    /// Opens a file without a name in the folder of `file`, with this mode. `file` may already exist.
     explicit StagedFile(std::string file, mode_t mode = 0666);
     /// Removes the file unless it was committed.
     ~StagedFile();

@@ -6,7 +6,7 @@
 namespace nezumi {
 
 /// $XDG_STATE_HOME/nezumi, or .local/state/nezumi in the user's home: $HOME, or if that is not set, the home in the
-/// system's list of users. Empty if there is none. It may not exist yet.
+/// system's list of users. Empty if there is no home. The folder may not exist yet.
 std::filesystem::path state_folder();
 
 }  // namespace nezumi

@@ -9,7 +9,7 @@
 
 namespace nezumi {
 
-/// Threads that are started during its lifetime receive no signals; the ticking thread gets them.
+/// Threads that are started while an object of this class exists receive no signals; the ticking thread gets them.
 class WithoutSignals {
 public:
     WithoutSignals() {

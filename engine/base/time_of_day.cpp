@@ -1,4 +1,4 @@
-// The system's own clock.
+// Reads the clock of the operating system.
 #include "engine/base/time_of_day.hpp"
 
 #include <chrono>
@@ -6,7 +6,7 @@
 namespace nezumi {
 
 double time_of_day() {
-    const auto now = std::chrono::system_clock::now();  // the wall clock: RTCs' stamps are by it
+    const auto now = std::chrono::system_clock::now();  // the wall clock, which RTCs use for stamps
     return std::chrono::duration<double>(now.time_since_epoch()).count();
 }
 

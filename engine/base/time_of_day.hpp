@@ -1,4 +1,4 @@
-// The wall clock: the stamps of real robots, which other programs compare with their own.
+// The wall clock, for the stamps of real robots: other programs compare these stamps with their own clock.
 #pragma once
 
 namespace nezumi {

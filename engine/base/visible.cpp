@@ -7,7 +7,7 @@
 namespace nezumi {
 namespace {
 
-constexpr std::string_view margin = "            | ";  // as wide as a time in a log
+constexpr std::string_view margin = "            | ";  // as wide as the time at the start of a log line
 
 // The code of a three-byte character at this position; 0 if there is none.
 unsigned three_bytes(std::string_view text, std::size_t at) {

@@ -1,4 +1,4 @@
-// A rename is the only atomic step of a file system. Opening without blocking is the only safe way to examine a FIFO.
+// Replaces a file by a rename, because only a rename is atomic. Opens files without blocking, because a FIFO can block.
 #include "engine/base/whole_file.hpp"
 
 #include <fcntl.h>
@@ -33,7 +33,7 @@ Error can_not_write(const fs::path& file, int problem) {
     return {std::string("can't be written: ") + std::strerror(problem), {.file = file.string()}};
 }
 
-// A second link to the same file, which needs no space on the disk; a copy if links are not possible.
+// Keeps `file` under the name `kept` too: by a second link, which needs no disk space, or else by a copy.
 Expected<void> keep_as(const std::string& kept, const std::string& file) {
     const std::string fresh = kept + ".new";
     std::error_code problem;

@@ -8,16 +8,16 @@
 namespace nezumi {
 namespace {
 
-// Within a tick, rounds follow each other within microseconds, but sleeping and waking takes tens of them. So a waiting
-// thread polls this many times before it sleeps: for about 200 us, which is the time of one thread for a tick of a
-// hundred robots. It keeps its processor meanwhile: on a busy machine a released processor does not come back soon.
+// Within a tick, rounds follow each other within microseconds, but sleeping and waking takes tens of microseconds. So a
+// waiting thread polls this many times before it sleeps: for about 200 us, the time that one thread needs for a tick of
+// a hundred robots. Meanwhile it keeps its processor: on a busy machine it would not soon get a processor again.
 constexpr int patience = 10'000;
 
 // The time a sleeping thread needs to wake.
 constexpr std::chrono::microseconds waking{100};
 
-// After a round in which the others were late, some rounds are done by one thread: twice as many each time, at most
-// this number; one fewer after each round without delay.
+// After a round in which the other threads were late, the caller does some rounds alone: twice as many each time, at
+// most this number; one fewer after each round without delay.
 constexpr int most_alone = 256;
 
 void relax() {
@@ -110,9 +110,9 @@ void WorkerPool::serve(std::size_t worker) {
         if (quit_) return;
         do_share(*work_, count_, worker);
         if (--running_ > 0) continue;
-        {
-            const std::lock_guard lock(mutex_);
-        }  // a waiting thread has seen that this one was running, or will see that it is not
+        // Locks once: `wait_for_others` then either sleeps already, or will see `running_ == 0`. So it can't miss the
+        // notification.
+        { const std::lock_guard lock(mutex_); }
         done_.notify_one();
     }
 }

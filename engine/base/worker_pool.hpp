@@ -1,4 +1,4 @@
-// Threads that share the numbers 0 to n - 1. The work for each number must not depend on the others.
+// Threads that share the work for the numbers 0 to n - 1. The work for a number must not depend on the other numbers.
 #pragma once
 
 #include <atomic>
@@ -45,9 +45,9 @@ private:
     std::atomic<std::size_t> running_ = 0;  // workers that have not finished their share
     std::atomic<bool> quit_ = false;
     std::vector<std::thread> threads_;
-    // Only for the caller.
-    int alone_ = 0;        // number of rounds that it still does alone
-    int late_rounds_ = 0;  // number of rounds to do alone when the others are late
+    // Only for the calling thread.
+    int alone_ = 0;        // number of further rounds that it does alone
+    int late_rounds_ = 0;  // number of rounds to do alone after a round in which the others were late
 };
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Line ends and tabs are kept in attributes, too.
+// Writes line ends and tabs as character references, because XML readers replace them by blanks in attributes.
 #include "engine/base/xml_text.hpp"
 
 #include <cstddef>

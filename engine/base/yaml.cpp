@@ -1,4 +1,4 @@
-// yaml-cpp throws; nothing of that leaves this file.
+// yaml-cpp throws exceptions; none of them leaves this file.
 #include "engine/base/yaml.hpp"
 
 #include <fmt/format.h>

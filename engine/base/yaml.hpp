@@ -21,7 +21,7 @@ YAML::Node yaml_field(const YAML::Node& mapping, const std::string& key);
 /// The location of a value.
 Place yaml_place(const YAML::Node& value, const std::string& file);
 
-/// A value as it is written.
+/// A value as text: a single value as it is written, a list or mapping as YAML; "" if it is undefined.
 std::string yaml_text(const YAML::Node& value);
 
 /// The value, if it is one finite number.
@@ -30,7 +30,7 @@ std::optional<double> yaml_number(const YAML::Node& value);
 /// The elements of a list, if they are finite numbers.
 std::optional<std::vector<double>> yaml_numbers(const YAML::Node& value);
 
-/// The boolean: 0, 1, or a word of YAML for it, in upper or lower case.
+/// The value, if it is a boolean: 0, 1, or a YAML word such as true, yes or off, in upper or lower case.
 std::optional<bool> yaml_boolean(const YAML::Node& value);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// The life cycle: its transitions, and safe outputs during each.
+// The transitions of the life cycle, and the safe values that they write.
 #include "engine/components/component.hpp"
 
 #include <fmt/format.h>
@@ -202,7 +202,8 @@ void Component::abort(Error error) {
     for (const auto& port : out_ports_) port->write_safe();
 }
 
-// A safe value that an earlier failure between two ticks wrote, and that is not published yet, must stay.
+// Discards only the velocities that the hook wrote: a safe value that an earlier failure between two ticks wrote, and
+// that is not published yet, must stay.
 Expected<void> Component::run_without_velocities(Hook hook) {
     std::vector<std::size_t> before;
     for (const auto& port : out_ports_) before.push_back(port->pending());

@@ -62,23 +62,23 @@ public:
     /// The component type, for example "RobotController".
     const std::string& type() const { return type_; }
     LifeState state() const { return state_; }
-    /// The number of versions of a script; 1 for a native component.
+    /// The number of the running version of a script, from 1; 1 for a native component.
     virtual int version() const { return 1; }
     virtual ComponentAbout about() const { return {}; }
-    /// The error that led to ERROR, or the last error.
+    /// The latest error that led to ERROR, or that made a reset fail.
     const Error& last_error() const { return last_error_; }
-    /// [s] the time of this error.
+    /// [s] The time of `last_error`.
     double failed_at() const { return failed_at_; }
-    /// [s] The time of the last execution since it was activated; negative: none.
+    /// [s] The time of the last execution since the component was activated; negative: none.
     double executed_at() const { return executed_at_; }
-    /// The error of the latest callback or command that ran out of time; none if all were in time. Everything after it
-    /// depends on the machine. A reload that runs out of time is refused and does not count.
+    /// The error of the latest callback or command that ran out of time; none if all were in time. After such an error,
+    /// the results depend on the speed of the machine. A reload that runs out of time is refused and does not count.
     const std::optional<Error>& out_of_time() const { return out_of_time_; }
 
-    /// The state that a call left when its time was over.
+    /// The component's `state` after a call that ran out of time.
     struct LeftState {
         std::optional<PlainData> data{};
-        std::string lost{};  ///< what of it is not in `data`, and why; "" for nothing
+        std::string lost{};  ///< which part of the state is not in `data`, and why; "" if nothing is missing
     };
     /// A call of a callback or command, counted from 1, that ran out of its time. Calls of `on_reload` do not count.
     struct OutOfTime {
@@ -86,18 +86,18 @@ public:
         Error error;
         LeftState left{};
     };
-    /// Such calls since the last call of this function: the first 16.
+    /// The calls that ran out of time since this function was last called; only the first 16.
     std::vector<OutOfTime> take_out_of_time() { return std::exchange(new_out_of_time_, {}); }
     bool has_new_out_of_time() const { return !new_out_of_time_.empty(); }
-    /// For a replay, which must not use the clock: this call will end with this error, however long it takes, and will
-    /// leave this state.
+    /// For a replay, which must not use the clock: the call with this number will end with this error and leave this
+    /// state, however long it takes.
     void run_out_of_time_at(OutOfTime call) { foreseen_.push_back(std::move(call)); }
     /// Executions since the start.
     std::int64_t executions() const { return executions_; }
 
     Parameters& parameters() { return parameters_; }
     const Parameters& parameters() const { return parameters_; }
-    /// The name for no parameter set; no set has this name.
+    /// The name that means "no parameter set". No set can have this name.
     static constexpr std::string_view no_set = "default";
     /// Switches to a parameter set, or to none, completely or not at all. Call it between ticks.
     Expected<void> use(std::string_view set);
@@ -128,50 +128,52 @@ public:
     Port* find_port(std::string_view name) { return const_cast<Port*>(std::as_const(*this).find_port(name)); }
 
     /// Visits the numbers, booleans and texts of a member that is neither port nor parameter, such as a script's
-    /// "state". Returns whether it has such a member.
+    /// "state". Returns whether the component has this member.
     virtual bool visit_member(std::string_view /*member*/, const LeafVisitor& /*visit*/) const { return false; }
 
-    /// The file of a behaviour; behaviours have lines and can be reloaded. Null for other components.
+    /// The file of a behaviour, which can be reloaded; null for other components.
     virtual const ScriptFile* script_file() const { return nullptr; }
     /// The number of the reload that brought the running version, if a rollback can revert it; otherwise 0.
     virtual int last_reload() const { return 0; }
     /// The commands for `call_command`.
     virtual std::span<const CommandDeclaration> commands() const { return {}; }
     virtual std::vector<TaskStatus> tasks() const { return {}; }
-    /// In the order of their first use.
+    /// The probes, in the order of their first use.
     virtual std::span<const Probe> probes() const { return {}; }
-    /// A part of its state within a limit.
+    /// A copy of the component's `state`, up to a limit.
     virtual Expected<PlainSnapshot> state_snapshot(const PlainLimit& /*limit*/) const {
         return PlainSnapshot{PlainData::empty_table(), 1};
     }
-    /// Requests a line trace of the next execution after probation. Returns the number of the trace; 0 if it has no
-    /// lines.
+    /// Requests a line trace of the next execution after probation. Returns the number of this trace; 0 if the
+    /// component is not a script.
     virtual std::int64_t trace_next() { return 0; }
     /// The number of the latest trace, and the trace itself.
     virtual std::int64_t traces() const { return 0; }
     virtual TracedLines latest_trace() const { return {}; }
 
-    /// Measures from now on what each of its ticks costs, by the clock; null ends it. `costs` must outlive that.
+    /// From now on, adds the run time of this component in each tick to `costs`, which must exist until then; null ends
+    /// the measurement.
     void measure_ticks(TickCosts* costs) const { tick_costs_ = costs; }
     TickCosts* tick_costs() const { return tick_costs_; }
 
-    /// Whether it requested an emergency stop since the last call, such as by a button of a gamepad.
+    /// Whether the component has requested an emergency stop (by a button of a gamepad) since the last call of this
+    /// function.
     virtual bool take_stop() { return false; }
 
-    /// INACTIVE to ACTIVE. In-ports start empty. The error says why not (it is in ERROR, or `on_activated` failed).
+    /// INACTIVE to ACTIVE. In-ports start empty. An error if the component is in ERROR, or if `on_activated` failed.
     Expected<void> activate(const Time& now);
     /// ACTIVE to INACTIVE; safe values are written.
     Expected<void> deactivate(const Time& now);
     /// ERROR to INACTIVE.
     Expected<void> reset(const Time& now);
-    /// Runs a command between two ticks. An error if there is none with this name, or if the command failed; then
+    /// Runs a command between two ticks. An error if there is no command with this name, or if the command failed; then
     /// nothing that it wrote is published.
     virtual Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now);
     /// One execution if ACTIVE, `on_error` if in ERROR. An error sends the component to ERROR.
     void execute(const Time& now);
-    /// Lets the in-ports take what has arrived.
+    /// Makes staged parameter values effective, and lets the in-ports take the messages that have arrived.
     void latch_inputs(const Time& now);
-    /// Publishes what was written.
+    /// Publishes the messages that were written to the out-ports.
     void latch_outputs(const Time& now) {
         for (const auto& port : out_ports_) port->latch(now);
     }
@@ -181,15 +183,15 @@ public:
 
     /// The tick of the running callback, or of the last one.
     const Time& now() const { return now_; }
-    /// [s] from the last execution to this one; at the first one, the period of its rate.
+    /// [s] Time from the last execution to this one; at the first one, the period of the component's rate.
     double dt() const { return dt_; }
-    /// The hook that runs now.
+    /// The callback that runs now; `Hook::none` if there is none.
     Hook hook() const { return hook_; }
 
     /// Sets the function for log lines. A system does this when it takes the component, and adds the time of its tick.
     virtual void set_log(LogSink sink) { log_ = std::move(sink); }
     void log(LogLevel level, std::string text) const;
-    /// Rate of ticks [Hz] of its system, which sets it.
+    /// Sets the tick rate [Hz]. The system of the component calls this.
     void set_tick_rate(double hertz) { tick_rate_ = hertz; }
     double tick_rate() const { return tick_rate_; }
 
@@ -200,10 +202,10 @@ protected:
     virtual Expected<void> on_aborting() { return {}; }
     virtual Expected<void> on_error() { return {}; }
     virtual Expected<void> on_reset() { return {}; }
-    /// The state that an ended call leaves; and a function that sets it, for replays.
+    /// The state after a call that ran out of time. In a replay, `restore` sets the recorded state instead.
     virtual LeftState left_state() { return {}; }
     virtual void restore(const PlainData& /*left*/) {}
-    /// The last error in `on_aborting`, for the log.
+    /// What failed if `on_aborting` returned an error, for the log line "... failed: ERROR".
     virtual std::string_view failed_at_aborting() const { return to_text(Hook::on_aborting); }
 
     /// Adds a port. The reference is valid as long as the component has the port.
@@ -222,11 +224,11 @@ protected:
         return reference;
     }
 
-    /// Sets the parameter set in use, after its values came or went with a version of a script.
+    /// Sets the name of the parameter set in use. For reloads and rollbacks, which add or remove the values themselves.
     void note_set_in_use(std::string set) { set_in_use_ = std::move(set); }
     /// Sets `now` between ticks, for code that is not part of the life cycle.
     void set_now(const Time& now) { now_ = now; }
-    /// Runs a function as the callback `hook`. Calls may be nested; each can run out of its time.
+    /// Runs a function as the callback `hook`. Calls may be nested; each has its own time limit.
     template <class Function>
     auto run(Hook hook, Function&& function) {
         const Hook before = std::exchange(hook_, hook);
@@ -263,17 +265,17 @@ private:
     double failed_at_ = 0;
 
 public:
-    /// Its location in the system file.
+    /// The component's location in the system file.
     Place place;
     /// Parameter sets of the system file.
     std::map<std::string, ParameterValues, std::less<>> sets;
-    /// Values of the system file, which are used if a set has no value.
+    /// Values of the system file, for parameters to which the set in use gives no value.
     ParameterValues configured;
 
 private:
     std::vector<OutOfTime> new_out_of_time_;
     std::optional<Error> out_of_time_;
-    // The members from here on are used in every tick.
+    // The members below are used in every tick.
     std::vector<OutOfTime> foreseen_;
     std::int64_t calls_ = 0;
     Time now_;
@@ -302,8 +304,8 @@ public:
     using Component::Component;
     /// Writes the out-ports from the outside. Called in every tick and every state.
     virtual void sense(const Time& now) = 0;
-    /// Acts on the values of its in-ports. Called in every tick and every state; the
-    /// device must not move unless it is ACTIVE.
+    /// Acts on the values of the in-ports. Called in every tick and every state; the device must not move unless it is
+    /// ACTIVE.
     virtual void actuate(const Time& now) = 0;
 };
 

@@ -1,4 +1,4 @@
-// Work in another thread, while ticks go on: given at time t, its result is available at t + latency.
+// Work in another thread, while ticks go on: if it starts at time t, its result is available at t + latency.
 #pragma once
 
 #include <cassert>
@@ -13,27 +13,28 @@
 
 namespace nezumi {
 
-/// One task at a time, in a separate thread. Simulated time determines when the result is available, so a run does not
-/// depend on the speed of the machine: it waits if the result is not ready in time.
+/// One task at a time, in a separate thread. Simulated time determines when the result is available: the run waits if
+/// the result is not ready in time. So a run does not depend on the speed of the machine.
 template <class Result>
 class DelayedTask {
 public:
-    /// Whether it is between `start` and the `take` or `finish` that gave the result.
+    /// Whether a task was started, and neither `take` has returned its result nor `finish` has dropped it.
     bool busy() const { return future_.valid(); }
 
-    /// Starts `work`, a function without arguments. The result is due `latency` [s] from now. Not while it is busy.
-    /// Exceptions of `work` (of a library, or for lack of memory) become an error of `take`.
+    /// Starts `work`, a function without arguments. The result is due `latency` [s] from now. Must not be called
+    /// while `busy`. Exceptions of `work` (of a library, or for lack of memory) become an error of `take`.
     template <class Work>
     void start(const Time& now, double latency, Work&& work) {
         assert(!busy());
         due_ = now.seconds + latency;
-        // If there is no thread, `take` does the work itself.
+        // If no thread can be started, `take` does the work itself.
         future_ = std::async(std::launch::async | std::launch::deferred,
                              [work = std::forward<Work>(work)]() mutable { return run(work); });
     }
 
-    /// The result, or nothing if it is not available yet. With `wait` (simulation), waits for the result when it is
-    /// due; without (hardware), returns it as soon as it is ready, without the latency.
+    /// The result, or nothing if it is not available yet. With `wait` (simulation): nothing before the due time; from
+    /// then on, waits until the result is ready. Without (hardware): the result as soon as it is ready, also before the
+    /// due time.
     std::optional<Expected<Result>> take(const Time& now, bool wait) {
         if (!busy()) return std::nullopt;
         if (wait ? now.seconds < due_ - half_a_step : !is_ready()) return std::nullopt;
@@ -55,7 +56,7 @@ private:
         } catch (const std::exception& thrown) {
             return failure(thrown.what());
         } catch (...) {
-            return failure("failed without a reason");
+            return failure("failed for an unknown reason");
         }
     }
 

@@ -27,7 +27,7 @@ struct TaskStatus {
     int line = 0;           ///< the line where it waits
 };
 
-/// A value that it shows.
+/// A value that a script shows with `probe`.
 struct Probe {
     std::string name;
     PlainData value;  ///< one number, boolean or text, or a flat table of these
@@ -43,23 +43,24 @@ struct TracedLines {
         bool operator==(const Value&) const = default;
     };
     struct Line {
-        std::string file;  ///< its name in messages
+        std::string file;  ///< the file's name in messages
         int line = 0;
         int depth = 0;                ///< number of calls from the outermost function
         std::vector<Value> values{};  ///< of the variables in the line; of all visible variables if the text is unknown
-        std::string text{};           ///< of the file, without blanks around it; "" where it is not known any more
-        /// If the last round of a long loop begins here: the number of equal rounds before it that are omitted.
+        std::string text{};           ///< the text of the line, without blanks around it; "" if it is unknown
+        /// If the last round of a long loop begins with this line: the number of equal rounds before it that are
+        /// omitted.
         std::size_t turns_left_out = 0;
     };
     std::vector<Line> lines{};
     bool is_cut = false;  ///< there were more lines
 };
 
-/// What a component costs, one number for each tick.
+/// The run times of a component, one for each tick.
 struct TickCosts {
     static constexpr std::size_t most_times = 1'000'000;
     std::vector<std::int64_t> times{};  ///< [ns] at most `most_times`
-    std::int64_t tick = -1;             ///< of the last one
+    std::int64_t tick = -1;             ///< the tick of the last time
 
     void add(std::int64_t of_tick, std::int64_t nanoseconds) {
         if (of_tick == tick) {
@@ -79,10 +80,10 @@ struct ErrorFrames {
         Value value;       ///< a number, a boolean, or a text; for a table the text that people see
     };
     struct Frame {
-        std::string file;                ///< its name in messages
-        int line = 0;                    ///< that it was executing
-        std::string name{};              ///< by which it was called; "" if unknown
-        std::vector<Variable> locals{};  ///< its variables with a value
+        std::string file;                ///< the file's name in messages
+        int line = 0;                    ///< the line that the function was executing
+        std::string name{};              ///< the name by which the function was called; "" if unknown
+        std::vector<Variable> locals{};  ///< the function's variables that have a value
     };
     std::vector<Frame> all{};
 };

@@ -66,12 +66,12 @@ bool chooses_elements(const ParameterSpec& spec) {
     return is_array(spec.initial) && !spec.choices.empty() && !is_array(spec.choices.front());
 }
 
-// A value of the type of the choices.
+// A value with the type of the choices.
 Value choice_like(const ParameterSpec& spec) {
     return chooses_elements(spec) ? Value(spec.initial.type().single()) : spec.initial;
 }
 
-// The declaration for each of the choices.
+// The declaration with which each of the choices is checked.
 ParameterSpec choice_spec(const ParameterSpec& spec) {
     ParameterSpec bare = spec;
     bare.initial = choice_like(spec);
@@ -296,7 +296,7 @@ void Parameters::adopt(const Parameters& earlier, std::string_view name) {
     if (!allowed) return;
     parameter.value = std::move(*allowed);
     parameter.set = true;
-    // For values set before that version started, the present record of where they were set is kept.
+    // If the value was set before the earlier version began, both flags are false there, and the present flags stay.
     if (before->from_outside || before->from_within) {
         parameter.from_outside = before->from_outside;
         parameter.from_within = before->from_within;

@@ -50,21 +50,21 @@ public:
     struct Parameter {
         ParameterSpec spec;
         Value value;
-        bool set = false;           ///< it was set; otherwise it follows the default, also of a later version
-        bool from_outside = false;  ///< it was set from outside since this version began
-        bool from_within = false;   ///< its component has set it since this version began
+        bool set = false;           ///< the value was set; otherwise it follows the default, also of a later version
+        bool from_outside = false;  ///< the value was set from outside since this version began
+        bool from_within = false;   ///< the component itself has set the value since this version began
     };
 
     /// Adds a parameter with its default. An error if the declaration is wrong or the name is taken.
     Expected<void> declare(ParameterSpec spec);
 
-    /// nullptr if there is none with this name.
+    /// nullptr if there is no parameter with this name.
     const Parameter* find(std::string_view name) const;
     const std::vector<Parameter>& all() const { return all_; }
 
     /// Sets one value immediately. The error names the nearest parameter, or the limit; then nothing has changed.
     Expected<void> set(std::string_view name, const Value& value);
-    /// Sets all of these, or none if one is refused.
+    /// Sets all these values, or none if one is refused.
     Expected<void> set_all(const ParameterValues& values);
     /// Resets a parameter to its default, as if it had never been set. Unknown names are ignored.
     void follow_default(std::string_view name);
@@ -79,10 +79,10 @@ public:
     void adopt_from_outside(const Parameters& earlier);
     /// Takes over the value of one parameter.
     void adopt(const Parameters& earlier, std::string_view name);
-    /// Another version of the component begins: marks all values as not set from outside.
+    /// Begins another version of the component: clears `from_outside` and `from_within` of all parameters.
     void begin_version();
 
-    /// The place of a parameter in `all`. The error names the nearest parameter.
+    /// The index of a parameter in `all`. The error names the nearest parameter.
     Expected<std::size_t> index_of(std::string_view name) const;
 
     /// Grows with every change of a value, for caches.

@@ -10,8 +10,8 @@
 
 namespace nezumi {
 
-/// For a parameter that is a string, and a value from "--set c.mode=4" that is not: ": write c.mode='"4"'". Otherwise
-/// "".
+/// If the parameter is a string and the option "--set c.mode=4" gave a number or boolean: ": write c.mode='"4"'".
+/// Otherwise "".
 inline std::string quotes_hint(const ParameterSpec& spec, const Value& value, std::string_view option) {
     constexpr std::string_view set = "--set ";
     const std::size_t equals = option.find('=');

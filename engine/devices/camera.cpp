@@ -32,7 +32,8 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
       open_(std::move(open)),
       wait_(wait),
       out_(add_out_port<CameraImage>("out", "the picture")),
-      intrinsics_(add_out_port<CameraIntrinsics>("intrinsics", "of the picture that is published with them")) {
+      intrinsics_(
+          add_out_port<CameraIntrinsics>("intrinsics", "intrinsics of the picture that is published with them")) {
     out_.set_companion(intrinsics_);
     const auto declare = [this](ParameterSpec spec) {
         const auto ok = parameters_.declare(std::move(spec));
@@ -146,7 +147,7 @@ Expected<void> Camera::check() const {
 Expected<void> Camera::open() {
     picture_.finish();
     if (auto ok = check_frame_rate(); !ok) return ok;
-    source_.reset();  // a device is had once
+    source_.reset();  // closes the device: it can be open only once
     auto source = make_source();
     if (!source) return Unexpected(source.error());
     source_ = std::move(*source);

@@ -27,11 +27,12 @@ public:
     void sense(const Time& now) override;
     void actuate(const Time& /*now*/) override {}
 
-    /// Checks whether it can be activated with its parameters: an error if the tick rate is too low for its frame rate,
-    /// or if its distortion can't be simulated. A real camera may be connected later. Its tick rate must be set.
+    /// Checks whether the camera can be activated with its parameters: an error if the tick rate is too low for its
+    /// frame rate, or if its distortion can't be simulated. A real camera may be connected later. The tick rate must be
+    /// set before.
     Expected<void> check() const;
 
-    /// The settings by its parameters.
+    /// The settings that the parameters give.
     CameraSettings settings() const;
 
 private:
@@ -58,8 +59,8 @@ private:
     DelayedTask<CameraImage> picture_;  // declared after source_, which it uses
 };
 
-/// Makes the component `entry`, a camera with pictures from `open`. An error if there is no robot `on` before it, or if
-/// it could not be activated.
+/// Makes the component `entry`, a camera with pictures from `open`. An error if the robot `on` does not exist yet, or
+/// if the camera could not be activated.
 Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, System& system, Camera::Open open);
 
 /// Makes the component `entry`, a camera in the world of `system`, for `Makers::components` ("Camera"). Errors as in

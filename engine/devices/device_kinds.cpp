@@ -65,7 +65,7 @@ ParameterSpec periods() {
 }
 
 ParameterSpec frames() {
-    ParameterSpec spec = text("frames", "what is sent every period: its answers are read");
+    ParameterSpec spec = text("frames", "the bytes that are sent every period; the answer to each of them is read");
     spec.initial = std::vector<std::string>{};
     spec.max_size = 16;
     return spec;
@@ -97,8 +97,8 @@ std::string check_i2c(const Parameters& parameters) {
     const Integers& registers = value_of<Integers>(parameters, "registers");
     const std::size_t lengths = value_of<Integers>(parameters, "lengths").size();
     if (registers.size() != lengths)
-        return fmt::format("lengths: expected the bytes of each of the {} registers, got {} numbers", registers.size(),
-                           lengths);
+        return fmt::format("lengths: expected the number of bytes of each of the {} registers, got {} numbers",
+                           registers.size(), lengths);
     const std::size_t periods = value_of<std::vector<double>>(parameters, "periods").size();
     if (periods != 0 && periods != registers.size())
         return fmt::format("periods: expected the period of each of the {} registers, got {} numbers", registers.size(),
@@ -134,12 +134,10 @@ std::string check_safe_levels(const Parameters& parameters) {
                            [&](const GpioLevel& each) { return each.is_pwm == is_pwm && each.number == number; });
     };
     for (const std::int64_t line : outputs.lines) {
-        if (!has(false, line))
-            return fmt::format("safe: output {0} has no level: expected {0}=0 or {0}=1 among them", line);
+        if (!has(false, line)) return fmt::format("safe: output {0} has no level: add {0}=0 or {0}=1", line);
     }
     for (const std::int64_t channel : outputs.pwm_channels) {
-        if (!has(true, channel))
-            return fmt::format("safe: pwm_channel {0} has no duty: expected pwm{0}=0 among them", channel);
+        if (!has(true, channel)) return fmt::format("safe: pwm_channel {0} has no duty: add pwm{0}=0", channel);
     }
     return "";
 }
@@ -152,7 +150,7 @@ std::string check_gpio(const Parameters& parameters) {
         return "expected inputs, outputs or pwm_channels";
     std::sort(lines.begin(), lines.end());
     if (const auto twice = std::adjacent_find(lines.begin(), lines.end()); twice != lines.end())
-        return fmt::format("line {} is given twice", *twice);
+        return fmt::format("GPIO line {} is given twice", *twice);
     return check_safe_levels(parameters);
 }
 
@@ -187,7 +185,7 @@ std::span<const DeviceKind> device_kinds() {
         DeviceKind{"udp", "Udp",
                    with_safe({text("host", "the device's address, such as \"192.168.4.1\""),
                               whole("port", 0, 0, 65535, "", "the device's port"),
-                              whole("local_port", 0, 0, 65535, "", "the own port; 0: any"),
+                              whole("local_port", 0, 0, 65535, "", "this computer's port; 0: any"),
                               text("ends", "the end of each datagram's text: ports are TimedString then")})},
         DeviceKind{
             "i2c", "I2c",
@@ -195,7 +193,7 @@ std::span<const DeviceKind> device_kinds() {
                        text("path", "instead of `bus`: the bus, such as /dev/i2c-1"),
                        whole("address", 0, 0, 0x77, "", "the device's address on the bus, 7 bits, such as 0x40"),
                        numbers("registers", 0, 65535, "the registers that are read every period"),
-                       numbers("lengths", 1, 32, "the bytes that are read from each of them"),
+                       numbers("lengths", 1, 32, "how many bytes are read from each register"),
                        seconds("every", 0.05, 0.002, 60, "the period"), periods(),
                        whole("number_bytes", 1, 1, 2, "", "the bytes of a register's number"),
                        choice("order", {"big", "little"}, "with `number_bytes = 2`: \"big\": the higher byte first")}),
@@ -208,7 +206,7 @@ std::span<const DeviceKind> device_kinds() {
                        whole("speed", 1000000, 1000, 125000000, "Hz", "of the clock"),
                        whole("mode", 0, 0, 3, "", "the clock's polarity and phase, as in the device's data sheet"),
                        frames(), seconds("every", 0.05, 0.002, 60, "the period"),
-                       flag("answers", "each message to the device is answered by one as of `frames`")}),
+                       flag("answers", "the answers to messages to the device are read too, as those to `frames`")}),
             check_spi},
         DeviceKind{"gpio", "Gpio",
                    with_safe({whole("chip", 0, 0, 255, "", "the chip's number: 0 is /dev/gpiochip0"),

@@ -1,4 +1,4 @@
-// Words, each with a name and a value.
+// Splits a message into words, each with a name and a value.
 #include "engine/devices/gpio_message.hpp"
 
 #include <fmt/format.h>

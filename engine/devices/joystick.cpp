@@ -13,9 +13,9 @@ namespace nezumi {
 Joystick::Joystick(std::string name, Open open)
     : Device(std::move(name), "Joystick"),
       open_(std::move(open)),
-      stick_(
-          add_in_port<std::vector<float>>("stick", "where the stick is held {x, y} [px]; in the middle while silent")),
-      pos_(add_out_port<std::vector<float>>("pos", "the stick's place {x, y} [px] from the middle, y up")),
+      stick_(add_in_port<std::vector<float>>(
+          "stick", "position of the stick {x, y} [px] from the middle, y up; without messages: the middle")),
+      pos_(add_out_port<std::vector<float>>("pos", "the stick's position {x, y} [px] from the middle, y up")),
       vel_(add_out_port<std::vector<float>>("vel", "left and right wheel: the stick turned by 45 degrees [px]")),
       axes_(add_out_port<std::vector<float>>("axes", "a real gamepad's axes, each -1 to 1, in the order of Linux")),
       buttons_(add_out_port<std::vector<bool>>("buttons", "a real gamepad's buttons, in the order of Linux")) {
@@ -69,11 +69,11 @@ Expected<void> Joystick::on_deactivated() {
     return {};
 }
 
-// The state of its gamepad; nothing without one.
+// The state of the gamepad; no value if none is connected.
 std::optional<GamepadState> Joystick::look() {
     if (!open_) return std::nullopt;
     if (GamepadSettings wanted = settings(); !gamepad_ || wanted != settings_) {
-        gamepad_.reset();  // two can't have one device
+        gamepad_.reset();  // closed first: a device can be open only once
         settings_ = std::move(wanted);
         gamepad_ = open_(settings_);
         counted_ = 0;

@@ -18,7 +18,7 @@ class System;
 
 /// Selects a gamepad and the functions of two of its buttons, by their names in Linux ("BTN_TL"); "" for none.
 struct GamepadSettings {
-    std::string device;  ///< its node; "": the first there is
+    std::string device;  ///< device file of the gamepad; "": the first one found
     std::string dead_man_button;
     std::string stop_button;
     double dead_zone = 0;  ///< part of a stick's range around its centre that counts as 0; 0: the default of its driver
@@ -32,9 +32,9 @@ struct GamepadState {
     double x = 0, y = 0;        ///< of its stick, -1 to 1, right and up positive
     std::vector<float> axes;    ///< each axis, -1 to 1, in the order of their codes
     std::vector<bool> buttons;  ///< whether each is pressed, in the order of their codes
-    bool is_released = false;   ///< the dead-man button, if there is one, is not pressed: its stick counts as centred
+    bool is_released = false;   ///< a dead-man button is set and not pressed: the stick counts as centred
     bool is_stop_held = false;  ///< the button for emergency stops is pressed
-    int stops = 0;              ///< how often this button has been pressed
+    int stops = 0;              ///< how often the button for emergency stops has been pressed
 };
 
 /// A real gamepad, which is read in the background.
@@ -47,15 +47,16 @@ public:
     virtual std::vector<std::string> take_faults() = 0;
 };
 
-/// Messages to its in-port `stick` move the stick: from arrow keys of a prompt, a browser's pad, or another component.
-/// Without a message since the last tick, the position is that of the gamepad, or the middle. The pad is 300 x 300 px.
+/// A joystick. Messages to the in-port `stick` move the stick: from arrow keys of a prompt, a browser's pad, or another
+/// component. Without a message since the last tick, the position is that of the gamepad, or the middle. The pad is 300
+/// x 300 px.
 class Joystick final : public Device {
 public:
     using Open = std::function<std::unique_ptr<Gamepad>(const GamepadSettings&)>;
 
-    /// `open` is called on activation, and again after a parameter has changed. Without it there is no gamepad. With
-    /// it, while no gamepad is connected and the stick is not moved, the ports publish nothing, after one message for
-    /// the middle.
+    /// `open` is called on activation, and again after a parameter has changed. Without `open` there is no gamepad.
+    /// With `open`, while no gamepad is connected and the stick is not moved, the ports publish nothing, after one
+    /// message for the middle.
     explicit Joystick(std::string name, Open open = nullptr);
 
     static constexpr float edge = 150;  ///< [px] from the middle of the pad
@@ -63,7 +64,7 @@ public:
     void sense(const Time& now) override;
     void actuate(const Time& /*now*/) override {}
 
-    /// Number of presses of its gamepad's emergency stop button.
+    /// How often the emergency stop button of the gamepad has been pressed.
     int stops() const { return stops_; }
     bool take_stop() override { return std::exchange(told_stops_, stops_) < stops_; }
 
@@ -84,8 +85,8 @@ private:
     std::unique_ptr<Gamepad> gamepad_;
     int stops_ = 0;
     int told_stops_ = 0;
-    int counted_ = 0;      // presses of the gamepad that is open, which were counted
-    bool speaks_ = false;  // its last message was not the final one
+    int counted_ = 0;      // presses of the open gamepad that `stops_` includes
+    bool speaks_ = false;  // the middle must still be published before the ports fall silent
 };
 
 /// The factory of components of type Joystick without a gamepad.

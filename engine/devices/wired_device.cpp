@@ -55,10 +55,10 @@ WiredDevice::WiredDevice(std::string name, const DeviceKind& kind, const Paramet
         out_ports_.push_back(make_out_port(type, port, doc));
         return out_ports_.back().get();
     };
-    in_ = add_in("in", "sent to the device");
-    out_ = add_out("out", "what the device sends");
-    wire_in_ = add_in("wire_in", "in simulation: counts as sent by the device");
-    wire_out_ = add_out("wire_out", "in simulation: what reaches the device");
+    in_ = add_in("in", "messages to the device");
+    out_ = add_out("out", "messages from the device");
+    wire_in_ = add_in("wire_in", "in simulation: messages that count as sent by the device");
+    wire_out_ = add_out("wire_out", "in simulation: messages that reach the device");
 }
 
 void WiredDevice::publish(std::string_view bytes, std::optional<double> tm) {
@@ -80,7 +80,7 @@ void WiredDevice::sense(const Time& now) {
     }
 }
 
-// A change shows that a sender was reloaded or rolled back, or that connections changed.
+// The sum of the senders' versions. It changes if a sender is reloaded or rolled back, or if connections change.
 std::uint64_t WiredDevice::versions_of_senders() const {
     std::uint64_t sum = 0;
     for (const Connection& each : system_.wiring().connections()) {
@@ -167,8 +167,8 @@ Expected<std::unique_ptr<Component>> make_wired_device(const ComponentEntry& ent
         if (parameters->find("safe")->value.get<std::string>().empty() &&
             !parameters->find("measures_only")->value.get<bool>())
             return refuse(
-                "--hw needs its safe bytes: give safe = \"...\", what stops the device, or safe = false in a robot "
-                "file (measures_only = true in a system) if it moves nothing");
+                "--hw needs the device's safe bytes: give safe = \"...\", the bytes that stop it, or safe = false in a "
+                "robot file (measures_only = true in a system) if it moves nothing");
         auto opened = open(*parameters);
         if (!opened) return refuse(opened.error().message);
         link = std::move(*opened);

@@ -19,20 +19,20 @@ namespace nezumi {
 class Robot;
 class System;
 
-/// A kind of device: its word in robot files, and its component.
+/// A kind of device: its function in robot files, and its type of component.
 struct DeviceKind {
     std::string_view word;  ///< "serial"
     std::string_view type;  ///< of the component: "Serial"
     std::vector<ParameterSpec> parameters;
-    /// What is wrong with values that do not go together; "": nothing. Null: all do.
+    /// Returns the error for parameter values that do not go together, or "". Null: there is no such rule.
     std::string (*check)(const Parameters& parameters) = nullptr;
     bool is_text = false;  ///< messages are texts, also without the parameter `ends`
-    /// What is wrong with a message to the device; "": nothing. Null: any bytes are right.
+    /// Returns the error for a message to the device, or "". Null: any bytes are accepted.
     std::string (*check_message)(const Parameters& parameters, std::string_view message) = nullptr;
 };
 /// All kinds.
 std::span<const DeviceKind> device_kinds();
-/// Null if there is no such type of component.
+/// The kind with this type of component, or null.
 const DeviceKind* find_device_kind(std::string_view type);
 
 /// The connection to a real device, which works in the background. No function waits.
@@ -47,39 +47,40 @@ public:
     virtual std::vector<Message> take(const Time& now) = 0;
     /// Sends a message, with its end, after the earlier ones.
     virtual void send(std::string_view bytes) = 0;
-    /// The control loop is alive, and what is sent may move something. Without this call for 0.2 s, the safe bytes are
-    /// sent.
+    /// Shows that the control loop is alive; called in every tick in which messages may move something. If there is no
+    /// call for 0.2 s, the safe bytes are sent.
     virtual void beat() = 0;
-    /// Drops what has not been sent, completes a message that is being sent, and sends the safe bytes. No beats are
-    /// needed until the next `beat`.
+    /// Drops what has not been sent, completes a message that is being sent, and sends the safe bytes. The
+    /// limit of 0.2 s counts again from the next `beat` on.
     virtual void stop() = 0;
-    /// Whether it can send, and what it sends can be stopped.
+    /// Whether messages can be sent to the device, and the safe bytes too.
     virtual bool works() const = 0;
     /// The faults since the last call: one line each, with what to do.
     virtual std::vector<std::string> take_faults() = 0;
 };
 
-/// Its out-port `out` publishes what the device sends; what arrives at `in` is sent to the device. Both are
-/// TimedString, if its kind has texts, or, one message for each line, if the parameter `ends` is given; else
-/// TimedOctetSeq. In simulation `wire_out` has what would be sent, and what arrives at `wire_in` counts as sent by the
-/// device: for a behaviour that stands for it.
+/// The out-port `out` publishes what the device sends; messages to `in` are sent to the device. Both are TimedString if
+/// the kind has text messages, or if the parameter `ends` is given (then a message is a line); else TimedOctetSeq. In
+/// simulation a behaviour can replace the device: `wire_out` publishes what would be sent, and messages to `wire_in`
+/// count as sent by the device.
 ///
-/// It sends only while it is open: it is ACTIVE, so are all components that write to `in`, nothing is stopped or
-/// paused, and the motors of the robot that it is on have power. When it closes, and when a component that writes to
-/// `in` changes its version, it sends its `safe` bytes. A device without `safe` is always open while it is ACTIVE.
+/// Messages are sent only while the device is open: it and all components that write to `in` are ACTIVE, the system is
+/// not paused, and the robot that carries the device has power for its motors (without a robot: the system is not
+/// stopped). When it closes, or when a component that writes to `in` changes its version, the `safe` bytes are sent. A
+/// device without `safe` is open whenever it is ACTIVE.
 class WiredDevice final : public Device {
 public:
-    /// `link`: null in simulation. The system, and the robot that it is on, must outlive it.
+    /// `link`: null in simulation. `system`, and the `robot` that carries the device (or null), must outlive it.
     WiredDevice(std::string name, const DeviceKind& kind, const ParameterValues& config, System& system,
                 const Robot* robot, std::unique_ptr<DeviceLink> link);
 
     void sense(const Time& now) override;
     void actuate(const Time& now) override;
 
-    /// Whether what is sent reaches the device. A device that only measures always works.
+    /// Whether messages can reach the device. Always true in simulation, and for a device that only measures.
     bool works() const { return link_ == nullptr || measures_only_ || link_->works(); }
 
-    /// Messages that wait; more than these are dropped, the oldest first.
+    /// The largest number of waiting messages; if there are more, the oldest are dropped.
     static constexpr std::size_t queue = 1000;
 
 private:
@@ -100,7 +101,7 @@ private:
     InPortBase* wire_in_ = nullptr;    // unused by a real device
     OutPortBase* wire_out_ = nullptr;  // the same
     bool was_open_ = false;
-    bool said_wrong_ = false;  // that the messages to the device are wrong
+    bool said_wrong_ = false;  // the last message to the device was wrong, which was reported
     std::uint64_t versions_ = 0;
 };
 

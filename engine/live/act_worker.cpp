@@ -1,4 +1,4 @@
-// The two threads share only a future, so either may end first.
+// The preparing thread shares only a future with its owner, so either may end first.
 #include "engine/live/act_worker.hpp"
 
 #include <cassert>

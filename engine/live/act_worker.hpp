@@ -10,19 +10,19 @@
 
 namespace nezumi {
 
-/// One act at a time. Call all functions from one thread.
+/// Prepares one act at a time. Call all functions from one thread.
 class ActWorker {
 public:
     ActWorker() = default;
-    /// Waits a second for the thread. If it hangs in a file, it is abandoned.
+    /// Waits at most 1 s for the thread. A thread that still reads a file then is abandoned.
     ~ActWorker();
     ActWorker(const ActWorker&) = delete;
     ActWorker& operator=(const ActWorker&) = delete;
 
-    /// Whether no act is being prepared or waits to be taken.
+    /// True if no act is being prepared and none waits for `take`.
     bool is_idle() const { return !prepared_.valid(); }
-    /// Starts to prepare an act, while idle. If the system provides no further thread, the act is prepared before this
-    /// returns.
+    /// Starts to prepare an act; `is_idle` must be true. If the operating system provides no further thread, prepares
+    /// the act before it returns.
     void start(Preparation prepare);
     /// Waits at most `patience` for the prepared act. Returns nothing if it is not ready then.
     std::optional<PreparedAct> take(std::chrono::microseconds patience = {});

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t most_followed = 2 * Trace::most_ports;
 constexpr double longest_curves = 600;  // [s]
 
-// Finds a node as a console does; `plotted`: with the shorter names of plots.
+// Finds a name in the tree as the console does; `plotted`: also by the shorter names of plots.
 Expected<TreeNode> node_at(const TreeNode& tree, const Question& question, bool plotted) {
     Expected<TreeNode> node = tree.child(question.component);
     for (std::string_view rest = question.name; node && !rest.empty();) {
@@ -85,7 +85,7 @@ Expected<PlainData> curves_of(const AskedSystem& asked, const Question& question
     const auto* seconds = values.size() == 1 ? values.front().get_if<double>() : nullptr;
     if (seconds == nullptr || !(*seconds > 0)) return failure("curves: expected seconds, more than 0");
     if (asked.trace.followed() >= most_followed)
-        return failure(fmt::format("curves: {} values are remembered already", most_followed));
+        return failure(fmt::format("curves: this host remembers {} values already, which is the limit", most_followed));
     const auto recent = recent_curves(asked.trace, join_path(question.component, question.name),
                                       std::min(*seconds, longest_curves), asked.tree.system().now().seconds);
     return recent ? Expected<PlainData>(to_plain(*recent)) : Unexpected(recent.error());
@@ -165,8 +165,8 @@ Expected<PlainData> answer_question(const AskedSystem& asked, const Question& qu
     if (!wanted) return Unexpected(wanted.error());
     auto done = asked.act(*wanted, who);
     if (!done) return Unexpected(done.error());
-    // Answers like the methods of a local component: a command returns results, a change of its life returns the new
-    // status.
+    // Answers like the methods of a local component: a command returns its results, `use` the set in use, and a change
+    // of the life cycle the new state.
     if (question.what == What::command) return std::move(done->values);
     PlainData after;
     const Component* is_there = system.find(question.component);

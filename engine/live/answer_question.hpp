@@ -9,18 +9,18 @@
 
 namespace nezumi {
 
-/// [characters] of a port's value as a text.
+/// The longest text of a port's value in an answer [characters].
 inline constexpr std::size_t watch_width = 100;
 
 /// The data that answers are made from.
 struct AskedSystem {
-    TreeNode tree;  ///< the whole
+    TreeNode tree;  ///< all names of the system
     Trace& trace;
     ActDoor act;
 };
 
-/// Answers a request of `who`. Reading gives data; everything else is an act, which is refused unless the host is
-/// `writable`.
+/// Answers a request of `who`. Reading returns data; every other request is an act, which is refused unless `writable`
+/// is true.
 Expected<PlainData> answer_question(const AskedSystem& asked, const Question& question, bool writable,
                                     const Actor& who);
 

@@ -10,7 +10,7 @@
 
 namespace nezumi {
 
-/// The limits of a speed: simulated seconds per second.
+/// The limits of a speed: simulated seconds per real second.
 inline constexpr double slowest_speed = 0.001, fastest_speed = 1e6;
 /// The speed for ticks without waiting.
 inline constexpr double as_fast_as_possible = std::numeric_limits<double>::infinity();
@@ -22,30 +22,30 @@ inline constexpr double most_ticks = 1e12;
 Expected<double> check_speed(double factor);
 Expected<std::int64_t> check_ticks(double ticks);
 
-/// Implemented by the loop that runs the ticks, and called between two ticks from its thread. The console itself
-/// refuses what is not allowed on hardware (`speed`, `step`, `run`, `restart`), by `is_hardware`.
+/// The interface of the loop that runs the ticks, for calls between two ticks in the thread of the loop. The console
+/// itself refuses commands that are not allowed on hardware (`speed`, `step`, `run`, `restart`), by `is_hardware`.
 class ClockControl {
 public:
     virtual ~ClockControl() = default;
 
-    /// Real robots move: `--hw`.
+    /// Whether real robots move (`--hw`).
     virtual bool is_hardware() const = 0;
 
-    /// No ticks pass until `resume` or `advance`. On hardware the robots are stopped.
+    /// In simulation no ticks pass until `resume` or `advance`. Real robots stop and stand, and their time continues.
     virtual void pause() = 0;
     /// Ticks pass again, at `speed`.
     virtual void resume() = 0;
     virtual bool is_paused() const = 0;
 
-    /// Lets `ticks` ticks pass, at `speed`, and then pauses. `pause` and `resume` end it early; another `advance`
-    /// replaces it.
+    /// Lets `ticks` ticks pass, at `speed`, and then pauses. `pause` and `resume` end the advance early; another
+    /// `advance` replaces it.
     virtual void advance(std::int64_t ticks) = 0;
-    /// Ticks of `advance` are left.
+    /// Whether ticks of `advance` are left.
     virtual bool is_advancing() const = 0;
     /// Number of calls of `pause`, `resume` and `advance`: if it changes, another user controls time.
     virtual std::uint64_t moves() const = 0;
 
-    /// A factor from `check_speed`.
+    /// Sets the speed; `check_speed` must have accepted the factor.
     virtual void set_speed(double factor) = 0;
     virtual double speed() const = 0;
 

@@ -1,4 +1,4 @@
-// Follows messages from ports to lines to wheels.
+// Collects the values of ports, the executed lines, and the commands of wheels.
 #include "engine/live/explain.hpp"
 
 #include <fmt/format.h>
@@ -88,7 +88,7 @@ std::string to_text(const Explanation& explanation) {
     add_results(explanation, text);
     for (const auto& port : explanation.inputs) text += "\n  " + text_of(port, "<-");
     for (const TracedLines::Line& line : explanation.traced.lines) {
-        if (line.turns_left_out > 0) text += fmt::format("\n  ... {} more turns", line.turns_left_out);
+        if (line.turns_left_out > 0) text += fmt::format("\n  ... {} more turns of the loop", line.turns_left_out);
         text += fmt::format("\n  {}:{}  {}", line.file, line.line, line.text);
         for (const TracedLines::Value& value : line.values) text += fmt::format("   {} = {}", value.name, value.text);
     }

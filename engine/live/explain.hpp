@@ -14,18 +14,18 @@ struct Explanation {
     struct PortValue {
         std::string port;                  ///< "controller.in"
         std::string value;                 ///< "" when nothing came yet
-        std::vector<std::string> peers{};  ///< the ports that it is connected to
+        std::vector<std::string> peers{};  ///< the ports that this port is connected to
         std::string override{};            ///< "held", "dropped", "frozen", or ""
     };
-    /// A robot that receives its messages, or sends it messages.
+    /// A robot that is connected to the component.
     struct OfRobot {
         std::string robot;
-        Velocity2D asked;     ///< the commanded velocity
-        Velocity2D limited;   ///< the commanded velocity within its limits
-        double speed = 0;     ///< [m/s] its limit of speed
-        double yaw_rate = 0;  ///< [rad/s] its limit of turning
-        bool wheels_told = false;
-        Wheels wheels{};  ///< [m/s] the commands of its wheels
+        Velocity2D asked;          ///< the commanded velocity
+        Velocity2D limited;        ///< the command within the limits of speed and acceleration
+        double speed = 0;          ///< [m/s] the robot's speed limit
+        double yaw_rate = 0;       ///< [rad/s] the robot's limit of the yaw rate
+        bool wheels_told = false;  ///< false: the wheels roll freely
+        Wheels wheels{};           ///< [m/s] the commands of its wheels
     };
 
     std::string component;

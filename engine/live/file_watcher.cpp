@@ -22,8 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double longest_gathering = 0.02;             // [s] of a series of saves
-constexpr std::chrono::milliseconds longest_end{200};  // for a file that is being read
+constexpr double longest_gathering = 0.02;             // [s] longest wait for the end of a series of saves
+constexpr std::chrono::milliseconds longest_end{200};  // longest wait of the destructor for a file that is being read
 
 std::chrono::nanoseconds nanoseconds(double seconds) {
     return std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
@@ -51,7 +51,7 @@ struct Stamp {
     }
 };
 
-// A file made by linking is complete at once; any other file is complete when it is closed.
+// Whether a file is a link. A file made by linking is complete at once; any other file is complete when it is closed.
 bool is_link(const std::string& path) {
     struct stat status {};
     return ::lstat(path.c_str(), &status) == 0 && (S_ISLNK(status.st_mode) || status.st_nlink > 1);
@@ -101,11 +101,11 @@ public:
 private:
     struct Folder {
         std::string path;
-        std::set<std::string> files;    // names in it that are watched
-        std::set<std::string> folders;  // parents of watched folders
+        std::set<std::string> files;    // names of watched files in this folder
+        std::set<std::string> folders;  // names of folders in it on the way to watched files
     };
 
-    // From the root down: if a folder is being made at this moment, its parent reports it.
+    // Watches the folders from the root down: if one is being made at this moment, its parent reports it.
     void watch_chain(const fs::path& path, bool is_file = true) {
         const fs::path folder = path.parent_path();
         if (folder.has_relative_path()) watch_chain(folder, false);
@@ -115,7 +115,7 @@ private:
         const int wd = ::inotify_add_watch(fd_, folder.c_str(),
                                            IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_CREATE | IN_DELETE |
                                                IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR);
-        if (wd < 0) return;  // missing or no permission: the thread's checks find it later
+        if (wd < 0) return;  // missing, or no permission: the periodic checks detect changes
         Folder& known = folders_[wd];
         known.path = folder.string();
         (is_file ? known.files : known.folders).insert(name);
@@ -128,7 +128,7 @@ private:
         const bool whole = (event.mask & (IN_CLOSE_WRITE | IN_MOVED_TO)) != 0 ||
                            ((event.mask & IN_CREATE) != 0 && is_link(folder->second.path + "/" + name));
         if (!whole) return Kind::nothing;
-        // A link may lead through folders that are not watched yet.
+        // A link may lead through folders that are not watched yet, so all folders are watched anew.
         if (folder->second.files.count(name) > 0)
             return is_link(folder->second.path + "/" + name) ? Kind::folder : Kind::file;
         return name.ends_with(".lua") ? Kind::other : Kind::nothing;
@@ -275,7 +275,7 @@ void FileWatcher::Watch::poll(bool noticed) {
 
 void FileWatcher::Watch::poll_file(const std::string& path, std::uint64_t known, bool noticed) {
     const Stamp stamp(path);
-    // A file may become readable again without any notice, so it is checked again.
+    // A missing file may become readable again without any notice, so it is read in each check.
     const auto [before, is_new] = stamps_.try_emplace(path, stamp);
     if (!noticed && !is_new && before->second == stamp && !troubles_.contains(path)) return;
     before->second = stamp;
@@ -292,7 +292,7 @@ void FileWatcher::Watch::poll_file(const std::string& path, std::uint64_t known,
     shared_.has_news = true;
 }
 
-// Many programs remove a file for a moment when they save it.
+// Reports a file that stays missing for a period: many programs remove a file for a moment when they save it.
 void FileWatcher::Watch::lose(const std::string& path, const std::string& why) {
     const Clock::time_point now = Clock::now();
     Trouble& trouble = troubles_.try_emplace(path, Trouble{.since = now}).first->second;

@@ -18,10 +18,10 @@ namespace nezumi {
 
 /// Watches the folders of files, not the files: an editor that writes a new file and renames it would leave a watch on
 /// the old one. Also watches the folders above, which `git checkout` replaces. Compares contents, so a `touch` or a
-/// second event of one save is ignored. If the system provides no events, checks twice a second.
+/// second event of one save is ignored. If the operating system provides no events, checks twice a second.
 class FileWatcher {
 public:
-    /// A file and the hash (`ScriptFile::hash`) of its known content.
+    /// Files and the hashes (`ScriptFile::hash`) of their known contents, by path.
     using Files = std::map<std::string, std::uint64_t>;
     using Reader = std::function<Expected<SourceText>(const std::string& path)>;
     /// A file with changed content, and the hash of the content.
@@ -59,8 +59,8 @@ public:
     /// The files that have changed since the last call, sorted by path, each once with its present content. Files that
     /// are gone are not included.
     std::vector<Change> take_changes();
-    /// The files that are gone or can't be read, for at least one period of checks: each once, and again only after it
-    /// could be read in between.
+    /// The files that have been missing or unreadable for at least one period of checks. Each is returned once, and
+    /// again only after it was readable in between.
     std::vector<Loss> take_losses();
     /// Whether another Lua file was saved in one of the folders since the last call.
     bool take_others() { return shared_->others.exchange(false); }
@@ -78,7 +78,7 @@ private:
         Shared(const Shared&) = delete;
         Shared& operator=(const Shared&) = delete;
 
-        Mutex mutex;  // over the next six
+        Mutex mutex;  // guards the next six members
         std::condition_variable end;
         bool ended = false;
         Files known;

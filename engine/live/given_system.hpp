@@ -1,4 +1,5 @@
-// A script host whose system file is a given description, so that a system without a file can restart and go back.
+// A script host that returns a given description instead of reading a system file, so that a system without a file can
+// restart and go back in time.
 #pragma once
 
 #include "engine/live/script_host.hpp"

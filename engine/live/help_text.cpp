@@ -25,7 +25,7 @@ std::string indented(std::string_view text) {
 
 std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
 
-// "  text", or nothing.
+// The text after two spaces; "" for an empty text.
 std::string behind(std::string_view text) { return text.empty() ? "" : "  " + std::string(text); }
 
 void add_fields(std::string& text, const Type& type, const std::string& path) {
@@ -48,7 +48,7 @@ std::string port_help(const TreeNode& node) {
     add_fields(text, *message.payload, "value");
     std::vector<std::string_view> members;
     for (const MemberInfo& each : port_members()) members.push_back(each.name);
-    return text + fmt::format("\n  it has {}", fmt::join(members, ", "));
+    return text + fmt::format("\n  members: {}", fmt::join(members, ", "));
 }
 
 std::string component_help(const TreeNode& node) {
@@ -62,7 +62,7 @@ std::string component_help(const TreeNode& node) {
     for (const auto& parameter : component.parameters().all()) text += "\n  config." + parameter_text(parameter);
     for (const CommandDeclaration& command : component.commands())
         text += fmt::format("\n  :{}(...){}", command.name, behind(first_line(command.doc)));
-    return text + fmt::format("\n  help \"{0}.status\" explains a member; they are {1}", component.name(),
+    return text + fmt::format("\n  help \"{0}.status\" explains a member; the members are {1}", component.name(),
                               fmt::join(node.children(), ", "));
 }
 

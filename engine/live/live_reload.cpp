@@ -52,8 +52,8 @@ void LiveReload::take_changes() {
     if (!scripts.empty()) reload(std::move(scripts));
 }
 
-// This happens for a module that was missing: the script that failed without it was tried again before the watcher's
-// check.
+// Whether the changed content runs already. This is so for a module that was missing: the script that failed without it
+// was tried again before the watcher's check.
 bool LiveReload::runs_already(const FileWatcher::Change& change) const {
     if (contains(failed_, change.path)) return false;
     const std::vector<ScriptFile> files = reloads_.files();
@@ -64,7 +64,7 @@ bool LiveReload::runs_already(const FileWatcher::Change& change) const {
 }
 
 void LiveReload::reload(std::vector<std::string> paths) {
-    // Within this time a small file is loaded, and runs in the next tick.
+    // A small file is loaded within this time, and so runs in the next tick.
     constexpr std::chrono::milliseconds patience{2};
     worker_.start(live_.prepare(Reload{.files = paths}));
     loading_ = std::move(paths);

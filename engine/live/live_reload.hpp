@@ -15,12 +15,13 @@ class RunningSystem;
 class LiveReload {
 public:
     /// Watches every script of the system with its modules, and `other_files` (system, robots, maps), whose changes are
-    /// only reported. A file that can't be read any more is reported once. Must be destroyed before the next start.
-    /// `seen` are contents of files that do not count as a change, although other contents run.
+    /// only reported. A file that can't be read any more is reported once. This object must be destroyed before the
+    /// next start. `seen`: contents that the watcher has seen already; they do not count as changes, even if the system
+    /// runs other contents.
     LiveReload(RunningSystem& live, Reloads& reloads, const std::vector<std::string>& other_files,
                const FileWatcher::Files& seen = {});
 
-    /// The contents of the files that were seen last.
+    /// The hashes of the contents that were seen last.
     FileWatcher::Files seen() const { return watcher_.known(); }
 
     /// Call this between two ticks. Only reads a flag if nothing has changed.

@@ -1,4 +1,4 @@
-// One line for a port, a few for a component.
+// Writes a port as one line, and a component as a few lines.
 #include "engine/live/live_text.hpp"
 
 #include <fmt/format.h>
@@ -52,8 +52,8 @@ std::string note_text(const Port& port) {
     return port.note().empty() ? "" : fmt::format("  ({})", first_line(port.note()));
 }
 
-// A value of a script, shown like the value of a port: "0.25", "{ left = 1, right = 2 }". Nested tables do not occur
-// here.
+// A value of a script, shown like the value of a port: "0.25", "{ left = 1, right = 2 }". The table contains no other
+// tables.
 std::string plain_text(const PlainData& data, const Value& value, std::size_t width) {
     const auto* table = value.get_if<TableRef>();
     if (table == nullptr) return short_text(value, width);

@@ -11,11 +11,12 @@
 
 namespace nezumi {
 
-/// "mouse.ir_sensor_out  TimedShortSeq  { 0, 0, 0, 0 }  0.01 s old  -> controller.in", and whether it is held.
+/// "mouse.ir_sensor_out  TimedShortSeq  { 0, 0, 0, 0 }  0.01 s old  -> controller.in", then the override and the note
+/// of the port, if any.
 std::string port_text(const System& system, const Component& component, const Port& port);
-/// "RobotController, ACTIVE, version 1": type, state, and unusual conditions.
+/// "RobotController, ACTIVE, version 1": type, state, and the version, rate and parameter set if there are any.
 std::string component_title(const Component& component);
-/// A line for the component, its `about` values, a line for each port, its configuration and its commands.
+/// Lines for a component, its error, `about` values, ports, parameters, commands, tasks and probes.
 std::string component_text(const System& system, const Component& component);
 /// "\n  about version 1.2, vendor Acme": the `about` values of a script; "" if there are none.
 std::string about_text(const Component& component);

@@ -1,4 +1,4 @@
-// The tick of the execution is performed in the second system, which is not needed afterwards.
+// A second system repeats the run up to the execution, performs its tick, and is not needed afterwards.
 #include "engine/live/past_execution.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ Expected<std::unique_ptr<PastExecution>> PastExecution::begin(RunningSystem& liv
 
 Expected<Explanation> PastExecution::explain() {
     RunningSystem& then = run_->system();
-    then.repeat_known();  // an act may have begun the execution
+    then.repeat_known();  // the execution may depend on acts before the tick
     const auto trace = then.explain_next(component_);
     if (!trace) return failed_outside(component_);
     then.tick();

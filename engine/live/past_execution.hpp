@@ -1,4 +1,4 @@
-// An execution of a behaviour that is over, computed and traced again beside the running system.
+// A past execution of a behaviour, computed and traced again beside the running system.
 #pragma once
 
 #include <memory>
@@ -13,15 +13,15 @@ namespace nezumi {
 
 class PastExecution {
 public:
-    /// Begins to compute the last execution of a behaviour; of one in ERROR, the one that failed. An error says why
-    /// there is none, or why the past can't be computed.
+    /// Begins to compute the last execution of a behaviour, or the one that failed if the behaviour is in ERROR. The
+    /// error says why there was no execution, or why the past can't be computed.
     static Expected<std::unique_ptr<PastExecution>> begin(RunningSystem& live, std::string_view component);
 
-    /// `PastRun::go_on` goes to the moment before the execution.
+    /// The computation: call its `go_on` until it reaches the moment before the execution.
     PastRun& run() { return *run_; }
     /// [s] The time of the execution.
     double seconds() const { return seconds_; }
-    /// Executes it, once, when the moment is reached.
+    /// Repeats the execution and explains it. Call this once, when `run` has reached the moment.
     Expected<Explanation> explain();
 
 private:

@@ -1,4 +1,4 @@
-// The files of the start come from memory, so that a file that was saved since does not change the past.
+// Reads the files of the start from memory, so that files that were saved later do not change the past.
 #include "engine/live/past_run.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +34,8 @@ Expected<bool> PastRun::go_on(Clock::time_point until) {
         system_->repeat_known(!is_there() || where_.tick < 0);
         if (const auto& differs = system_->differs()) {
             return failure(
-                fmt::format("the past can't be computed again: at tick {} of start {} it differs from the original run",
+                fmt::format("the past can't be computed again: at tick {} of start {} the computed run differs from "
+                            "the original run",
                             differs->tick, differs->start));
         }
         remember_when_near();
@@ -58,7 +59,7 @@ Expected<bool> PastRun::go_on_beside(Clock::time_point until) {
     auto there = go_on(until);
     worked_ = Clock::now();
     if (ticks_ == before) return there;
-    // Other programs also take time from a slice, so it is not the time of a tick alone: the estimate grows slowly.
+    // Other programs also use time of a slice, so the measured time may be too long: the estimate grows slowly.
     const auto took = (worked_ - now) / (ticks_ - before);
     tick_time_ = before == 0 ? took : std::min<Clock::duration>(took, tick_time_ + tick_time_ / 8 + more);
     return there;
@@ -69,7 +70,8 @@ void PastRun::remember(Trace::Memory memory, std::int64_t from) {
     memory_from_ = from;
 }
 
-// Earlier values would be dropped again until the moment is reached. What an act adds later is remembered from then on.
+// Remembers values only near the moment, because earlier ones would be dropped before it is reached. Channels that an
+// act adds are remembered from then on.
 void PastRun::remember_when_near() {
     const ActTime now = system_->when();
     if (now.start != to_.start || now.tick < memory_from_) return;

@@ -1,4 +1,4 @@
-// Computes a past moment of a running system again, in small pieces while it runs.
+// Computes a past moment of a running system again, in small pieces while the system runs.
 #pragma once
 
 #include <chrono>
@@ -15,29 +15,31 @@ class PastRun {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Loads the system of `live` as at its first start, to compute `where`: a moment of this branch, at this time.
+    /// Loads the system of `live` as at its first start, to compute the moment `where` of this branch, at the time
+    /// `to`.
     static Expected<std::unique_ptr<PastRun>> begin(RunningSystem& live, std::size_t branch, const Seek& where,
                                                     const ActTime& to);
 
     /// Computes until this time. Returns whether the moment is reached. The error has the time at which the system
     /// differed from the original run.
     Expected<bool> go_on(Clock::time_point until);
-    /// The same beside a system that moves, whose next tick is due at this time: begins no tick that would probably end
-    /// later. Where there is never enough time for one, it takes 1 ms of each 100.
+    /// Like `go_on`, while the original system runs and its next tick is due at `until`: begins no tick that would
+    /// probably end later. If there is never enough time for a tick, uses 1 ms of every 100 ms.
     Expected<bool> go_on_beside(Clock::time_point until);
-    /// Remembers these values from this tick of the last start on, instead of what the present remembers before the
-    /// moment. Call it before `go_on`.
+    /// Remembers the values of `memory` from tick `from` of the last start on, instead of those that the present
+    /// remembers. Call this before `go_on`.
     void remember(Trace::Memory memory, std::int64_t from);
-    /// Goes on to a later tick of the same start, up to which everything was known at the beginning.
+    /// Extends the computation to a later tick of the same start. All events up to this tick must have been known at
+    /// `begin`.
     void extend(std::int64_t tick) { to_.tick = tick; }
-    /// From 0 to 1.
+    /// The progress, from 0 to 1.
     double progress() const;
 
     const Seek& where() const { return where_; }
     std::size_t branch() const { return branch_; }
     /// `RunningSystem::generation` of the system that this past belongs to.
     int generation() const { return generation_; }
-    /// The system that computes it.
+    /// The system that computes the moment.
     RunningSystem& system() { return *system_; }
 
 private:
@@ -58,11 +60,11 @@ private:
     ActTime to_;
     int generation_;
     Trace::Memory memory_;
-    std::int64_t memory_from_;                    // the tick
-    std::optional<std::uint64_t> memory_layout_;  // of the system when it was told to remember
-    std::int64_t ticks_ = 0;                      // that were computed
-    Clock::duration tick_time_{};                 // of one, about
-    Clock::time_point worked_{};                  // beside a system that moves
+    std::int64_t memory_from_;                    // the first remembered tick
+    std::optional<std::uint64_t> memory_layout_;  // layout of the system when remembering began
+    std::int64_t ticks_ = 0;                      // number of computed ticks
+    Clock::duration tick_time_{};                 // estimated duration of a tick
+    Clock::time_point worked_{};                  // end of the last work of `go_on_beside`
     std::unique_ptr<RunningSystem> system_;
 };
 

@@ -1,4 +1,4 @@
-// Only what is asked for is remembered, and all of it, as far as the memory of a trace goes.
+// Remembers only the requested channels, and all their values as far as the memory of a trace allows.
 #include "engine/live/past_values.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::int64_t tick_at(const RunningSystem& live, double seconds) {
 Expected<std::unique_ptr<PastValues>> PastValues::begin(RunningSystem& live, std::vector<std::string> names,
                                                         double from, double to) {
     const std::int64_t tick = tick_at(live, to);
-    // Up to the present, the acts after its last tick are included: they may have added what is asked for.
+    // If the end is the present, the acts after the last tick are included: they may have added a requested channel.
     const bool is_present = tick >= live.when().tick && !live.is_past();
     auto run = live.begin_seek({.tick = is_present ? -1 : std::min(tick, live.when().tick), .start = live.starts()});
     if (!run) return Unexpected(run.error());

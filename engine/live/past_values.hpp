@@ -1,4 +1,4 @@
-// Values of a running system from before what its trace keeps, computed again while it runs.
+// Values of a running system that are too old for its trace, computed again while the system runs.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,16 @@ namespace nezumi {
 
 class PastValues {
 public:
-    /// Begins to compute what these channels, as `Trace::Remembered` names them, had from a time [s] of the last start
-    /// on, up to another. An error says why the past can't be computed.
+    /// Begins to compute the values of these channels (`Trace::Remembered::name`) from time `from` to time `to` [s] of
+    /// the last start. The error says why the past can't be computed.
     static Expected<std::unique_ptr<PastValues>> begin(RunningSystem& live, std::vector<std::string> names, double from,
                                                        double to);
 
-    /// `PastRun::go_on` and `go_on_beside` compute them; the trace of its system has them then.
+    /// The computation: call its `go_on` or `go_on_beside`; then `trace` has the values.
     PastRun& run() { return *run_; }
     Trace& trace() { return run_->system().trace(); }
-    /// Lets it continue to the second time [s], if it is not there yet. False if it is not of this system, or does not
-    /// remember these channels from the first time on, or can't get there.
+    /// Extends the computation up to time `to` [s]. Returns false if it belongs to another system, does not remember
+    /// these channels from time `from` on, or can't reach `to`.
     bool extend(const RunningSystem& live, const std::vector<std::string>& names, double from, double to);
 
 private:
@@ -29,7 +29,7 @@ private:
 
     std::vector<std::string> names_;
     double from_;
-    double known_;  // [s] what happened up to here was known at the beginning
+    double known_;  // [s] the time up to which all events were known at `begin`
     std::unique_ptr<PastRun> run_;
 };
 

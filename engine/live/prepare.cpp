@@ -1,4 +1,4 @@
-// Only copies from the system. The returned functions read files through the snapshot that they are called with.
+// Copies from the system what the returned functions need. They read files only through the snapshot that they get.
 #include "engine/live/prepare.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace nezumi {
 namespace {
 
-// The names of everything that acts have added: parts from a file have a line.
+// The names of all components and markers that acts have added; those from a file have a line number.
 std::vector<std::string> added_names(const SystemSpec& spec) {
     std::vector<std::string> added;
     for (const Entry& entry : spec.entries) {
@@ -39,7 +39,7 @@ Expected<const ScriptFile*> script_of(const System& system, const std::string& n
     const auto component = system.component(name);
     if (!component) return Unexpected(component.error());
     if (const ScriptFile* file = (*component)->script_file()) return file;
-    return failure(fmt::format("{} has no script: only behaviours reload", name));
+    return failure(fmt::format("{} has no script: only behaviours can be reloaded", name));
 }
 
 Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project& project, const LiveOptions& options) {
@@ -65,7 +65,7 @@ std::unique_ptr<Behaviors> load_behaviors(const SystemSpec& spec, const MakerCon
                                           const LiveOptions& options) {
     auto behaviors = options.scripts->behaviors(options.budget);
     for (const BehaviorEntry* behavior : entries_of<BehaviorEntry>(spec)) behaviors->load(*behavior, context, project);
-    // Only notes that the file is used: the world reads the picture itself and reports its errors.
+    // Reads the picture only to note that the file is used: the world reads the picture itself and reports its errors.
     if (spec.arena.floor) static_cast<void>(project.read(spec.arena.floor->image));
     return behaviors;
 }

@@ -23,9 +23,9 @@ inline bool takes_files(const Act& act) {
 /// The result of `RunningSystem::prepare` for `RunningSystem::commit`.
 struct PreparedAct {
     Act act;                       ///< the act to perform: a `Reload` of all changed files has their names
-    int generation = 0;            ///< of the system that it was prepared for
+    int generation = 0;            ///< of the system that the act was prepared for
     FilesSeen files{};             ///< the files that were read
-    std::optional<Error> error{};  ///< why it can't be performed
+    std::optional<Error> error{};  ///< why the act can't be performed
 
     std::unique_ptr<PreparedReload> reload{};
     std::unique_ptr<Behaviors> behaviors{};  ///< behaviours that `Add` or `Restart` has loaded
@@ -34,7 +34,8 @@ struct PreparedAct {
     std::vector<std::string> lost{};     ///< components and markers of acts that `Restart` would lose
 };
 
-/// Reads and loads, and may wait. Call it once, in any thread. It does not use the system, and may outlive it.
+/// A function that prepares an act: reads and loads, and may wait. Call it once, in any thread. It does not use the
+/// system, and may outlive the system.
 using Preparation = std::function<PreparedAct()>;
 
 }  // namespace nezumi

@@ -15,14 +15,14 @@ public:
     /// Maximum number of lines.
     static constexpr std::size_t most_lines = 100;
 
-    /// Stores a line if it is a warning or an error, and new: a past that is repeated logs its lines again.
+    /// Stores a warning or an error if it is new. A repeated past logs its lines again; these are not stored again.
     void take(const LogLine& line) {
         if (line.level != LogLevel::warn && line.level != LogLevel::error) return;
         if (contains(lines_, line)) return;
         if (lines_.size() == most_lines) lines_.pop_front();
         lines_.push_back(line);
     }
-    /// Oldest first.
+    /// The stored lines, oldest first.
     std::vector<LogLine> lines() const { return {lines_.begin(), lines_.end()}; }
 
 private:

@@ -1,4 +1,4 @@
-// Called between two ticks; uses the sensor readings of the last tick.
+// The functions are called between two ticks, and use the sensor readings of the last tick.
 #include "engine/live/robot_buttons.hpp"
 
 #include <fmt/format.h>
@@ -65,7 +65,7 @@ StartButtons::StartButtons(RunLoop& loop, std::function<void(std::string)> say) 
 void StartButtons::after_tick() {
     if (waiting_.empty()) return;
     if (!loop_.is_paused()) {
-        waiting_.clear();  // a person at the console takes responsibility
+        waiting_.clear();  // the user has resumed the run at the console
         return;
     }
     std::erase_if(waiting_, [this](const std::string& name) {

@@ -16,7 +16,7 @@ Pacer::Clock::duration duration_of(double seconds) {
     return std::chrono::duration_cast<Pacer::Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-// The pacer sleeps exactly for the last part of a wait [s].
+// The last part of a wait [s], for which the pacer sleeps exactly.
 constexpr double precise = 0.001;
 // The time [s] before a tick in which attendants must not work.
 constexpr double wake_margin = 0.0002;
@@ -79,7 +79,7 @@ bool RunLoop::ended() const {
 void RunLoop::follow_restart() {
     if (generation_ == live_.generation()) return;
     generation_ = live_.generation();
-    pace_anew();  // its rate may have changed
+    pace_anew();  // the tick rate may have changed
 }
 
 void RunLoop::run() {
@@ -126,7 +126,7 @@ double RunLoop::go_on(double seconds) {
     return more_waits_ ? 0 : std::clamp(spare_seconds(), 0.0, longest_wait);
 }
 
-// Usually other hosts are ready within a moment. Until then, attendants get time as in a pause.
+// Waits a moment for other hosts. If they are not ready then, attendants get time as in a pause.
 void RunLoop::wait_for_hosts() {
     wait_for_files(slice, true);
     if (!live_.may_tick()) {
@@ -185,7 +185,7 @@ void RunLoop::wait_for_files(double seconds, bool of_hosts_alone) {
     std::vector<pollfd> polled;
     polled.reserve(files.size());
     for (const int file : files) polled.push_back({.fd = file, .events = POLLIN, .revents = 0});
-    const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(seconds * 1e9)};  // longest_wait is far below 1 s
+    const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(seconds * 1e9)};  // less than 1 s
     ppoll(polled.data(), polled.size(), &timeout, nullptr);  // a signal ends it too, and the loop checks again
 }
 

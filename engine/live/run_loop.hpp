@@ -26,7 +26,7 @@ public:
     /// the next turn comes as soon as possible.
     virtual bool serve(Pacer::Clock::time_point until) = 0;
 
-    /// Adds the file descriptors that it reads: its turn comes as soon as one of them is readable.
+    /// Adds the file descriptors that this attendant reads: its next turn comes as soon as one of them is readable.
     virtual void add_files(std::vector<int>& /*files*/) const {}
 };
 
@@ -51,15 +51,16 @@ public:
     void before_tick(std::function<void()> action) { before_tick_.push_back(std::move(action)); }
     /// Adds a function that is called after every tick.
     void after_tick(std::function<void()> action) { after_tick_.push_back(std::move(action)); }
-    /// The run ends as soon as this is not 0; a signal handler sets it. It must outlive the loop.
+    /// The run ends as soon as `flag` is not 0; a signal handler sets it. `flag` must outlive the loop.
     void end_when(const volatile std::sig_atomic_t& flag) { end_ = &flag; }
     /// The run ends at this simulated time [s].
     void end_at(double seconds) { end_at_ = seconds; }
-    /// While this returns true at the end time, the end waits, so that a command that needs no more time can finish.
+    /// If time is paused at the end time, the run continues while this returns true, so that a command that needs no
+    /// more simulated time can finish.
     void end_waits_while(std::function<bool()> works) { works_ = std::move(works); }
 
-    /// While this returns true, a run that does not follow real time waits, because the reader of its output is slow. A
-    /// run in real time continues.
+    /// While this returns true, a run as fast as possible waits, because the reader of its output is slow. A run with
+    /// another speed continues.
     void wait_while(std::function<bool()> behind) { behind_ = std::move(behind); }
 
     /// Runs until the end: `quit`, `end_when`, `end_at`, or a fatal error of the system.
@@ -70,12 +71,12 @@ public:
     /// Does what `run` would do in about this time [s], but never waits: for programs with their own loop. Returns the
     /// time until more is due [s]; 0: at once, negative: the run has ended.
     double go_on(double seconds);
-    /// Runs one tick, like `run`, when it is due: for programs with their own loop.
+    /// Waits until the next tick is due and runs it, without serving attendants: for programs with their own loop.
     void tick();
 
     // Functions for attendants in their turn, and for any caller before `run`.
     bool is_hardware() const override { return live_.system().settings().real_time; }
-    /// Real robots stand from now on, and time continues: their system ticks at rest.
+    /// In simulation no ticks come from now on. Real robots stand, and their system continues to tick, at rest.
     void pause() override;
     void resume() override;
     bool is_paused() const override { return ticks_left_ == 0; }

@@ -13,7 +13,7 @@ namespace nezumi {
 
 /// Members are destroyed in the reverse order of declaration.
 struct RunningSystem::Running {
-    LogSink log;    // empty: while the past is computed, nothing is logged
+    LogSink log;    // empty while the past is computed: nothing is logged
     int start = 0;  // number of the start, for log lines
     SystemSpec spec;
     std::unique_ptr<Behaviors> behaviors;
@@ -24,7 +24,7 @@ struct RunningSystem::Running {
     std::optional<LiveReload> live_reload;
 };
 
-/// A present with peers, while the system is in its past.
+/// The present of a system with peers, kept while the system is in its past.
 struct RunningSystem::Away {
     Trace trace;  // declared before the system that it observes
     std::unique_ptr<Running> running;

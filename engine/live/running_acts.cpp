@@ -32,7 +32,7 @@ Expected<ActResult> RunningSystem::act_again(const Act& act, const Actor& who) {
 }
 
 Expected<ActResult> RunningSystem::deliver(const Port& port, const Act& act, const Actor& who) {
-    // The sender's system is const, but this is the system's own interface.
+    // Callers have only a const system, so that they change it only through acts. This is such an act.
     return perform_and_tell(act, who, nullptr, [&] { return nezumi::deliver(const_cast<Port&>(port), act); });
 }
 
@@ -93,7 +93,7 @@ Expected<ActResult> RunningSystem::commit(PastRun& past, const Actor& who) {
 }
 
 Expected<void> RunningSystem::check(const PreparedAct& prepared) const {
-    if (!fits(prepared)) return failure("the system has changed while this was read: try again");
+    if (!fits(prepared)) return failure("the system has changed while the files were read: try again");
     for (const std::string& line : prepared.printed) {
         if (options_.print) options_.print(line);
     }

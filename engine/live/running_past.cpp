@@ -32,7 +32,7 @@ Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) 
     const auto branch = where.branch.empty() ? std::optional(history_.current()) : history_.find(where.branch);
     if (!branch) {
         std::string hint = did_you_mean(where.branch, history_.branches(), &RunHistory::Branch::name);
-        // A person may leave out its number.
+        // The user may have left out the number of the branch.
         if (hint.empty()) hint = did_you_mean(where.branch + " 1", history_.branches(), &RunHistory::Branch::name);
         return failure(fmt::format("there is no branch '{}'{}: branches() lists them", shown(where.branch), hint));
     }
@@ -42,12 +42,12 @@ Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) 
     ActTime to{where.start == 0 ? end.start : where.start, where.tick};
     if (where.tick < 0) to = end;
     if (is_earlier(end, to)) {
-        return failure(
-            fmt::format("{} ends at {:g} s", history_.branches()[*branch].name, history_.branches()[*branch].seconds));
+        return failure(fmt::format("{} ends at {:g} s: no later time can be reached", history_.branches()[*branch].name,
+                                   history_.branches()[*branch].seconds));
     }
     if (const auto its_end = history_.end_of_start(to.start, *branch); its_end && to.tick > *its_end) {
-        return failure(fmt::format("the run after start {} in {} ends at {:g} s", to.start,
-                                   history_.branches()[*branch].name,
+        return failure(fmt::format("the run after start {} in {} ends at {:g} s: no later time can be reached",
+                                   to.start, history_.branches()[*branch].name,
                                    static_cast<double>(*its_end) / system().settings().rate));
     }
     return PastRun::begin(*this, *branch, where, to);
@@ -62,7 +62,8 @@ Expected<ActResult> RunningSystem::perform(const Seek& act, const Actor& /*who*/
 }
 
 Expected<ActResult> RunningSystem::take(PastRun& past) {
-    if (past.generation() != generation_) return failure("the system has changed while the past was computed");
+    if (past.generation() != generation_)
+        return failure("the system has changed while the past was computed: try again");
     if (is_back(past.where())) return come_back();
     history_.reach(when(), system().now().seconds);
     if (has_peers()) {
@@ -103,7 +104,8 @@ Expected<void> RunningSystem::check_peers() const {
     return {};
 }
 
-// In a tick with zero velocities, which belongs to the run: what others have got is not taken back.
+// Sends zero velocities to other hosts in one tick before the system leaves the present. The tick belongs to the run:
+// messages that others have received are not taken back.
 void RunningSystem::leave_peers(const Actor& who) {
     std::vector<std::string> held;
     for (const ConnectionSpec& each : system().connections()) {

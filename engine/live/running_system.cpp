@@ -100,7 +100,8 @@ std::unique_ptr<RunningSystem::Running> RunningSystem::take(std::unique_ptr<Runn
     if (!foreseen_.empty()) take_foreseen();
     if (running != nullptr && running->system->is_stopped()) {
         running_->system->emergency_stop();
-        running_->system->log(LogLevel::warn, "still stopped: rearm() lets the robots drive again");
+        running_->system->log(LogLevel::warn,
+                              "the emergency stop is still active: rearm() lets the robots drive again");
     }
     return running;
 }
@@ -135,7 +136,7 @@ ActDoor RunningSystem::door() {
 
 void RunningSystem::tick() {
     if (away_ != nullptr && history_.current() == away_->branch && !is_earlier(when(), away_->when)) {
-        // As an act, so that a journal has it before what arrives now.
+        // Comes back by an act, so that a journal has it before the messages that arrive now.
         static_cast<void>(act(back(), {Actor::Kind::run, ""}));
     }
     between_ticks();
@@ -154,13 +155,13 @@ void RunningSystem::tick() {
     tell_out_of_time(time);
     if (remembered_ && !ended_) remembered_->note(history_.current(), when(), generation_, system());
     if (ended_) {
-        // Ticks after the end differ from those that followed this moment.
+        // Nothing is repeated or recorded: ticks after the end differ from the original ticks after this moment.
     } else if (is_past()) {
         repeat_known(false);
     } else if (running_->system->now().tick % ticks_between_hashes == 0) {
         history_.add({when(), PastHash{trace_hash()}});
     }
-    // An emergency stop is never refused.
+    // The result is not checked: an emergency stop is never refused.
     for (const auto& component : running_->system->components()) {
         if (component->take_stop()) static_cast<void>(act(Stop{}, {Actor::Kind::joystick, component->name()}));
     }
@@ -169,7 +170,7 @@ void RunningSystem::tick() {
 ActTime RunningSystem::when() const { return {starts_, running_->system->now().tick, acts_}; }
 
 void RunningSystem::let_go(const Actor& who) {
-    if (is_past()) return gone_.push_back(who);  // it begins no branch
+    if (is_past()) return gone_.push_back(who);  // later: an act now would begin a branch
     for (const std::string& path : running_->system->held_by(who)) {
         const auto port = running_->system->port(path);
         if (port && (*port)->type() == message_of<Velocity2D>()) {
@@ -233,7 +234,8 @@ Expected<std::int64_t> RunningSystem::explain_next(std::string_view name) {
     if ((*component)->script_file() == nullptr)
         return failure(fmt::format("{} is not a behaviour: it has no lines", name));
     if ((*component)->state() != LifeState::active)
-        return failure(fmt::format("{} is {}: nothing of it is executed", name, to_text((*component)->state())));
+        return failure(
+            fmt::format("{} is {}: only ACTIVE components are executed", name, to_text((*component)->state())));
     return (*component)->trace_next();
 }
 

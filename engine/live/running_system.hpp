@@ -34,15 +34,16 @@ struct LiveOptions {
     std::vector<std::string> drivers;              ///< `Makers::drivers`
     RigMaker rig;                                  ///< makes the test rig that sees real robots
     NetworkMaker network;                          ///< may be empty: then a system of several hosts is refused
-    NetworkMaker network_of_past{};                ///< reaches no host; empty: a system with hosts can't go back
-    decltype(Makers::components) components;       ///< native components by type
-    /// Checks the description of a file before it is built, and may change it; an error refuses it. May be empty.
+    NetworkMaker network_of_past{};           ///< reaches no host; empty: a system with peers can't go back in time
+    decltype(Makers::components) components;  ///< native components by type
+    /// Checks the description from a system file before the system is built, and may change it. After an error the
+    /// system is not built. May be empty.
     std::function<Expected<void>(SystemSpec&)> prepare;
-    StartValues values{};  ///< replace those of the file, at each start
+    StartValues values{};  ///< parameter values that replace those of the file, at each start
     BuildOptions build;
-    Budget budget = paced_budget;  ///< of each call into a script; `headless_budget` in runs without a clock
+    Budget budget = paced_budget;  ///< limit of each call into a script; `headless_budget` in runs without a clock
     bool watch = false;            ///< reload scripts when they are saved
-    bool is_replay = false;        ///< the acts of other programs are known, and none of these programs is connected
+    bool is_replay = false;        ///< acts of other programs come from the history, and none of them is connected
     std::function<void(std::string_view)> print;  ///< gets the output of system files, a line at a time; may be empty
 };
 
@@ -50,9 +51,9 @@ struct LiveOptions {
 class ActObserver {
 public:
     virtual ~ActObserver() = default;
-    /// An act, and its result, also if it was refused.
+    /// Called after each act, also if the act was refused.
     virtual void acted(const ActTime& when, std::shared_ptr<const PastAct> act, const Expected<ActResult>& result) = 0;
-    /// A call into a script ran out of its time.
+    /// Called after a call into a script ran out of time.
     virtual void ran_out_of_time(const ActTime& when, const std::string& component,
                                  const Component::OutOfTime& call) = 0;
 };
@@ -74,23 +75,23 @@ public:
     /// Reloads saved files, if there are any, and runs one tick. An emergency stop follows if a gamepad's button was
     /// pressed.
     void tick();
-    /// Reloads saved files, if there are any: for times without ticks.
+    /// Reloads saved files and answers other hosts. Call this while no ticks pass.
     void between_ticks();
-    /// Whether the next tick may come; false while it waits for other hosts, then ask again.
+    /// Whether the next tick may begin. False while the system waits for other hosts; then call this again.
     bool may_tick();
-    /// Adds the files that become readable when this may have changed.
+    /// Adds the file descriptors that become readable when `may_tick` may have changed.
     void add_files(std::vector<int>& files) const;
     /// Checks an act and performs it, between two ticks. This is the only way to change the running system from
     /// outside. After an error nothing has changed, except for what a callback or command of a script did before it
     /// failed.
     ///   Restart reads the file again and starts at time 0, activated: everything is as in the file.
-    ///   Add does not activate. Remove publishes the safe values of a component. A component that carries others, and a
-    ///   real robot, can't be removed. Connections and port overrides go with it; its columns in a recording stay
-    ///   empty. Reload, Add and Restart read and load here: `prepare` and `commit` at once.
+    ///   Add does not activate. Remove publishes the safe values of a component and removes its connections and port
+    ///   overrides; its columns in a recording stay empty. A component that carries others, and a real robot, can't be
+    ///   removed. Reload, Add and Restart read and load in this call: `prepare` and `commit` at once.
     Expected<ActResult> act(const Act& act, const Actor& who);
     /// From now on acts are refused for this reason, except those of `act_again`.
     void refuse_acts(std::string why) { refusal_ = std::move(why); }
-    /// Performs an act that a journal has, like `act`.
+    /// Performs an act from a journal like `act`, even while other acts are refused.
     Expected<ActResult> act_again(const Act& act, const Actor& who);
     /// Delivers a message to an existing port, like the act `Write` or `Inject` for its path, but without searching the
     /// port.
@@ -105,37 +106,39 @@ public:
     /// Between two ticks: performs the act; refuses it if it does not fit or if its preparation failed.
     Expected<ActResult> commit(PreparedAct prepared, const Actor& who);
     /// Starts to compute the moment of a `Seek` from the history. `PastRun::go_on` continues, and `commit` goes there.
-    /// An error if this is not possible: real robots, other hosts, a time that never was.
+    /// An error if this is not possible: real robots, other hosts, a time that the run has not reached.
     Expected<std::unique_ptr<PastRun>> begin_seek(const Seek& where);
     /// Between two ticks: sets the system to the computed moment. The original events after it are known: ticks repeat
     /// them with their acts, and after their end the run continues. Any other act before their end starts a new branch.
     Expected<ActResult> commit(PastRun& past, const Actor& who);
-    /// Everything that has happened, up to the present.
+    /// Everything that has happened. The end of the present branch may be older than the present.
     const RunHistory& history() const { return history_; }
-    /// The branches up to now; the present one has come as far as the system.
+    /// The same, after setting the end of the present branch to the present.
     const RunHistory& history_until_now();
     /// Whether the present is a past moment whose future is known.
     bool is_past() const { return history_.is_past(when()); }
-    /// Whether other programs wait for the present, because the system has left it for its past. They get zero
-    /// velocities once, and then nothing; what they send waits. A seek to the end of the branch that was left, or the
-    /// end of its known events, comes back to them.
+    /// Whether a system with peers has left the present for its past. The peers got zero velocities in one tick, and
+    /// get nothing now; their messages wait. A seek to the end of the branch that was left comes back to the present,
+    /// and so do ticks up to this end.
     bool is_away() const { return away_ != nullptr; }
-    /// The seek that comes back to them.
+    /// The seek that comes back to the present.
     Seek back() const;
-    /// Remembers from now on what a time line shows.
+    /// Remembers poses, collisions and errors from now on, for a time line.
     void remember_run() { remembered_.emplace(); }
-    /// Null before `remember_run`.
+    /// The remembered run; null before `remember_run`.
     const RememberedRun* remembered() const { return remembered_ ? &*remembered_ : nullptr; }
-    /// Computes a history again, from its start: this system has been loaded from its files and is not active yet.
+    /// Sets the history that this system computes again from its start. The system must have been loaded from the files
+    /// of the history, and must not be active yet.
     void repeat(RunHistory past);
-    /// Repeats the known events before the next tick, like `tick`; without acts, only up to the first act.
+    /// Repeats the known events before the next tick, as `tick` does. If `acts` is false, stops before the first act.
     void repeat_known(bool acts = true);
     /// The first tick at which a repeated history differed from the original.
     const std::optional<ActTime>& differs() const { return differs_; }
-    /// Releases the ports of an actor that is gone, such as a closed connection; a velocity is zero for a tick first.
+    /// Releases the ports that an actor holds, after it is gone (a closed connection, for example). A held velocity is
+    /// zero for one tick before.
     void let_go(const Actor& who);
-    /// Requests a line trace of an execution of a behaviour, which does not change the execution. Returns the number of
-    /// the trace, for `explanation`. This is not an act, because it changes nothing.
+    /// Requests a line trace of the next execution of a behaviour. Returns the number of the trace, for `explanation`.
+    /// This is not an act, because the trace does not change the execution.
     Expected<std::int64_t> explain_next(std::string_view component);
     /// The explanation of this trace or of a later one; nothing before the execution. An error if the component is
     /// gone. Call it after each tick.
@@ -159,8 +162,8 @@ public:
     /// Pointers into the system are invalid after this has changed: after each start and each seek.
     int generation() const { return generation_; }
 
-    /// Builds a system that has not moved yet again, from another description; parameter values stay. After an error
-    /// the system has not changed.
+    /// Builds the system again from another description; it must not have ticked yet. Parameter values stay. After an
+    /// error the system has not changed.
     Expected<void> rebuild(SystemSpec spec);
     /// Ends the run: deactivates everything, last first. Robots brake in the next ticks.
     void end();
@@ -178,7 +181,7 @@ public:
     PartReader part_reader() const { return {project_, options_.scripts, defined_messages(system())}; }
     /// The trace hash since the start; after a restart it includes the hash before.
     std::uint64_t trace_hash() const;
-    /// The recorded values, over restarts.
+    /// Records values. It continues to follow its channels after a restart.
     Trace& trace() { return trace_; }
 
 private:
@@ -217,7 +220,7 @@ private:
     Expected<std::unique_ptr<Running>> build(SystemSpec spec, const FileSnapshot& files);
     Expected<std::unique_ptr<Running>> build(SystemSpec spec, std::unique_ptr<Behaviors> behaviors,
                                              const ProjectFiles& files);
-    // Both return the replaced one.
+    // Both return the system that was replaced.
     std::unique_ptr<Running> take(std::unique_ptr<Running> running);
     std::unique_ptr<Running> replace(std::unique_ptr<Running> running);
 
@@ -225,20 +228,20 @@ private:
     Project project_;
     LiveOptions options_;
     RunHistory history_;
-    bool repeats_ = false;  // what is performed now is known
+    bool repeats_ = false;  // the act that is performed now comes from the history
     std::optional<ActTime> differs_;
     Trace trace_;
     ActObserver* act_observer_ = nullptr;
     std::int64_t acts_ = 0;
-    std::string refusal_;  // of acts; "": none
+    std::string refusal_;  // why acts are refused; "": they are not
     std::vector<Foreseen> foreseen_;
     struct Ending {
         std::string port;
         Actor who;
         std::int64_t tick;
     };
-    std::vector<Ending> endings_;  // of holds, after the tick with a zero
-    std::vector<Actor> gone_;      // while the present was a past
+    std::vector<Ending> endings_;  // holds that end after a tick with zero velocity
+    std::vector<Actor> gone_;      // actors that left while the present was a past moment
     std::unique_ptr<Running> running_;
     std::unique_ptr<Away> away_;  // the present, while the system is in its past
     std::optional<RememberedRun> remembered_;

@@ -1,4 +1,4 @@
-// Replaces a script language if there is none.
+// The script host of a program without a script language.
 #include "engine/live/script_host.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace nezumi {
 namespace {
 
-Unexpected none() { return failure("there are no scripts here: this program has only components in C++"); }
+Unexpected none() { return failure("this program can't run scripts: it has only components in C++"); }
 
 class NoReloads final : public Reloads {
 public:

@@ -24,24 +24,26 @@ public:
     virtual ~PreparedReload() = default;
 };
 
-/// Reloads the behaviours of one system, which must outlive it. Call all functions between two ticks. After an error
-/// nothing has changed; its message ends with "still running version N".
+/// Reloads the behaviours of one system. The system must outlive this object. Call all functions between two ticks.
+/// After an error nothing has changed; the message ends with "still running version N".
 class Reloads {
 public:
     virtual ~Reloads() = default;
-    /// Loads the components of these files and those that require them, from the present content of the files; without
-    /// files, those of the file of `source`, from its text. May be called in any thread, and may outlive the system.
+    /// Loads the components of `files` and of the files that require them, from their present contents. Without
+    /// `files`, loads the components of the file of `source`, from the text of `source`. May be called in any thread,
+    /// and may outlive the system.
     using Loader = std::function<std::unique_ptr<PreparedReload>(const std::vector<std::string>& files,
                                                                  const SourceText& source, const Project& project)>;
     virtual Loader loader() const = 0;
-    /// Whether the behaviours are still those that it was prepared for.
+    /// Whether the behaviours are still those that the reload was prepared for.
     virtual bool fits(const PreparedReload& prepared) const = 0;
-    /// Switches to the loaded versions, which must fit. Versions that depend on the tick are loaded here, from the
-    /// files of `project` that were read before.
+    /// Switches to the loaded versions, which must fit. Versions that depend on the tick are loaded in this call, from
+    /// the files of `project` that were read before.
     virtual Expected<ActResult> commit(PreparedReload& prepared, const Project& project) = 0;
-    /// Takes a component, and the components that were reloaded with it, back to the version before, with its state.
+    /// Takes a component, and the components that were reloaded with it, back to the previous version, with the state
+    /// of that version.
     virtual Expected<ActResult> rollback(const Component& component) = 0;
-    /// Call this after every tick: takes back versions that have failed on probation.
+    /// Call this after every tick: rolls back versions that have failed on probation.
     virtual void after_tick() = 0;
 
     /// All files of the behaviours, including modules.
@@ -56,27 +58,27 @@ public:
     virtual ~Behaviors() = default;
     /// Loads a behaviour from the files of `project`, which are not needed later. Errors are returned by `take`.
     virtual void load(const BehaviorEntry& entry, const MakerContext& context, const Project& project) = 0;
-    /// The behaviour of this entry, once: for `Makers::behavior`.
+    /// Returns the loaded behaviour of this entry, for `Makers::behavior`. Call this once for each entry.
     virtual Expected<std::unique_ptr<Component>> take(const BehaviorEntry& entry) = 0;
     /// Takes over everything that another object of the same host has loaded.
     virtual void take_all(Behaviors& others) = 0;
-    /// The reloads of the system that contains these behaviours. They must outlive it.
+    /// The reloads of the system that contains these behaviours. The behaviours must outlive the returned object.
     virtual std::unique_ptr<Reloads> reloads_of(System& system) = 0;
 };
 
 struct SystemFileOptions {
-    std::uint64_t seed = 0;                       ///< of `math.random` in the file
-    double seconds = 2.0;                         ///< of CPU time for the file
+    std::uint64_t seed = 0;                       ///< seed of `math.random` in the file
+    double seconds = 2.0;                         ///< limit of the CPU time for the file
     std::function<void(std::string_view)> print;  ///< gets the output of `print`, a line at a time; may be empty
-    bool is_part = false;  ///< the tick, and robots that components are on, may be in another part of the system
+    bool is_part = false;  ///< the text is a part: the tick rate and robots that it needs may be in another part
     std::vector<std::string>
         set{};               ///< as in `StartValues`: those without a dot before the = are arguments of the file
-    PeerWords peer_words{};  ///< words of the file beside those of every system
+    PeerWords peer_words{};  ///< words that the file may use besides those of every system
 };
 
 /// Parameter values that replace those of the system file. They are used again at every restart of the system.
 struct StartValues {
-    std::string file;  ///< a system file, as `save` writes it, whose parameters and sets hold; "" for none
+    std::string file;  ///< a system file, as `save` writes it, whose parameter values and sets apply; "": none
     /// "controller.speed_x=0.3"; the last value of a parameter counts, and overrides `file`. "wander_*.speed=0.2" is
     /// for all components with such names, "n=10" is an argument of the file.
     std::vector<std::string> set;
@@ -96,7 +98,7 @@ public:
                                                   const Project& project, const SystemFileOptions& options) const = 0;
     /// A text that is read as the same system; `title` becomes its first line, a comment.
     virtual std::string write_system_text(const SystemSpec& spec, const std::string& title) const = 0;
-    /// Puts values into `spec`. The error names the option or the line of the file, which may use these words.
+    /// Puts values into `spec`. The error names the option or the line of the file. The file may use `words`.
     virtual Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project,
                                  const PeerWords& words) const = 0;
     /// Reads the files of a robot that is added to the system `part`: its description, and its calibration if it uses
@@ -107,20 +109,20 @@ public:
     virtual std::unique_ptr<Behaviors> behaviors(Budget budget) const = 0;
 };
 
-/// For programs with components only in C++: it reads no files and makes no behaviours.
+/// The script host of programs with components only in C++: reads no files and makes no behaviours.
 const ScriptHost& no_scripts();
 
 /// Reads parts of a system that an act contains as text.
 struct PartReader {
     Project project;            ///< finds the files of entries
     const ScriptHost* scripts;  ///< must outlive this object
-    /// The message types of its ports that files define.
+    /// The message types of the system's ports that files define.
     std::vector<const MessageType*> types{};
 
-    /// `file` is the file beside which names are searched. Finds a message type by name: one of `types`, otherwise the
-    /// one defined last; null if there is none.
+    /// Finds a message type by name: one of `types`, otherwise the one defined last; null if there is none.
     const MessageType* find_message(std::string_view name) const;
 
+    /// Reads a part from its text. Names are first searched in the folder of `file`.
     Expected<SystemSpec> read(std::string_view text, const std::string& file) const {
         return scripts->read_system_text(text, file, project, {.is_part = true});
     }

@@ -23,9 +23,9 @@ Expected<void> add_twins(SystemSpec& spec) {
         const auto taken = std::find_if(spec.entries.begin(), spec.entries.end(),
                                         [&](const Entry& other) { return name_of(other) == twin.name; });
         if (taken != spec.entries.end())
-            return failure(
-                fmt::format("the twin of '{}' is called '{}': give this one another name", real->name, twin.name),
-                place_of(*taken));
+            return failure(fmt::format("the twin of '{}' has the name '{}': give this component another name",
+                                       real->name, twin.name),
+                           place_of(*taken));
         RobotSpec description = spec.models.at(real->described_by());
         std::erase_if(description.ports, [](const PortSpec& port) { return port.is_input; });
         for (ActuatorSpec& actuator : description.actuators) actuator.speed = 0;  // so the twin has no parameter for it

@@ -1,4 +1,4 @@
-// The kinds of fields.
+// The basic types of fields, and the compiled structures.
 #include "engine/messages/definition.hpp"
 
 #include <algorithm>

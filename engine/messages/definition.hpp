@@ -35,7 +35,7 @@ struct MessageDefinition {
     std::string name{};  ///< "Obstacle", "sensor_msgs/Imu"
     std::string doc{};
     std::vector<FieldDefinition> fields{};
-    bool is_single = false;  ///< the payload is the value of its one field, not a structure
+    bool is_single = false;  ///< the payload is the value of the message's only field, not a structure
     std::string ros{};       ///< "" for none
     std::string rtm{};       ///< "" for none
     bool has_rtm_stamp = true;
@@ -43,12 +43,12 @@ struct MessageDefinition {
     Place place{};
 };
 
-/// The names of the single types in definitions.
+/// The names of the basic types in definitions: "boolean", "octet", ...
 std::span<const std::string_view> field_kinds();
-/// The type with such a name; null if there is none.
+/// The basic type with this name; null if there is none.
 const Type* type_of_kind(std::string_view kind);
 
-/// Type names of ROS and IDL with the equal type here: "uint16" is "ushort".
+/// Names of basic types in ROS and IDL, each with the name of the same type in definitions: "uint16", "ushort".
 std::span<const std::pair<std::string_view, std::string_view>> foreign_kinds();
 
 /// A structure of the compiled messages, such as "Point2D", or the payload of a compiled message; null if there is

@@ -16,10 +16,10 @@
 namespace nezumi {
 namespace {
 
-// The type of a name or field.
+// The type of a field, or the type for which a name of the file stands.
 struct IdlType {
     std::string kind{};                  // "" for an enumeration
-    std::vector<std::string> choices{};  // of one
+    std::vector<std::string> choices{};  // of an enumeration
     std::vector<std::size_t> shape{};
     std::size_t length = FieldLimits{}.length;
 };
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    // "RTC/Time", as written or within a module.
+    // The full name of a definition in the current module: "RTC/Time".
     std::string in_module(const std::string& name) const { return module_.empty() ? name : module_ + "/" + name; }
 
     // Definitions
@@ -101,7 +101,7 @@ private:
         } else if (take("const")) {
             read_constant();
         } else if (is("interface") || is("exception") || is("abstract") || is("local") || is("native")) {
-            skip_definition();  // what is called, and no data
+            skip_definition();  // these describe functions, not data
         } else {
             refuse_word();
             fail(fmt::format("expected a definition, got {}", found()));
@@ -114,8 +114,8 @@ private:
         if (word != refused.end()) fail(fmt::format("'{}' is not supported: {}", word->word, word->instead));
     }
 
-    // If two files have one name, the first is read, as include guards do it: a project may have its own copy of an
-    // installed file, and include other installed ones.
+    // The name without folders. Of included files with the same name, only the first is read, as with include guards: a
+    // project may have a copy of an installed file, and also include installed files that include the original.
     static std::string file_name(const SourceText& source) { return source.path.substr(source.path.rfind('/') + 1); }
 
     void read_include() {
@@ -143,7 +143,7 @@ private:
         }
     }
 
-    // `@name(...)`: only the unit is used.
+    // Skips annotations, `@name(...)`. Only the unit is used.
     void skip_annotations() {
         unit_.clear();
         while (take("@")) {
@@ -172,7 +172,7 @@ private:
             type.choices.push_back(take_name());
         } while (take(","));
         expect("}");
-        if (type.choices.empty()) fail("expected a choice");
+        if (type.choices.empty()) fail("expected at least one choice in the enumeration");
         return type;
     }
 
@@ -201,11 +201,11 @@ private:
 
     void read_structure(std::string doc, int line) {
         const std::string name = take_name();
-        if (take(";")) return;  // only says that it will come
+        if (take(";")) return;  // a forward declaration
         if (is(":"))
             return fail(
                 fmt::format("struct '{}' inherits from another struct, which nezumi does not support: write the "
-                            "other's fields here",
+                            "fields of that struct here",
                             shown(name)));
         MessageDefinition message{.name = in_module(name), .doc = std::move(doc), .place = {source_->shown, line}};
         message.rtm = "IDL:" + message.name + ":1.0";
@@ -245,7 +245,7 @@ private:
                                   .place = {source_->shown, line}};
             field.limits.length = declared.length;
             message.fields.push_back(std::move(field));
-            if (message.fields.size() > most_message_fields) return fail("expected fewer fields");
+            if (message.fields.size() > most_message_fields) return fail("expected fewer fields in this struct");
         } while (take(","));
         if (!is(";")) return fail(fmt::format("expected ';', got {}", found()));
         const std::string behind = lexer_->comment_behind();
@@ -267,7 +267,7 @@ private:
             lengths.push_back(read_length());
             expect("]");
         }
-        // The last is the innermost.
+        // The last length is that of the innermost dimension.
         type.shape.insert(type.shape.end(), lengths.rbegin(), lengths.rend());
         return {std::move(name), std::move(type)};
     }
@@ -317,8 +317,7 @@ private:
             add(name, type);
             return type;
         }
-        // An error is raised only when a message uses such a field, because the basic types of other packages contain
-        // some.
+        // Reported only if a message uses such a field, because files with basic types of other programs have some.
         if (take("wchar") || take("wstring")) return {.kind = std::string(wide_text)};
         refuse_word();
         const bool is_unsigned = take("unsigned");
@@ -337,7 +336,7 @@ private:
         return read_named_type();
     }
 
-    // "RTC::Time", "Time": searched in the module, then in the outer ones.
+    // "RTC::Time", "Time": searches the current module, then the modules around it.
     IdlType read_named_type() {
         const int line = token_.line;
         const bool from_root = take("::");

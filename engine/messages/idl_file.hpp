@@ -13,13 +13,13 @@ namespace nezumi {
 /// The kind of a field with wide characters. No message can have such a field.
 inline constexpr std::string_view wide_text = "wstring";
 
-/// Finds the file of an `#include`; the error says why there is none. A file that was already included need not be
-/// found again: the result may then have no text.
+/// Finds the file of an `#include`; the error says why there is none. For a file that was already included, the result
+/// may have no text.
 using IdlIncluder = std::function<Expected<SourceText>(std::string_view name, const SourceText& from)>;
 
-/// Reads the structures of a file and of the files that it includes, in order. Their names are like "RTC/TimedOctet",
-/// and their fields use the same names. Comments become the documentation of structures and fields. Errors have file
-/// and line; unions, value types and other unsupported parts are errors too.
+/// Reads the structures of a file and of the files that it includes, in order. Structures have names like
+/// "RTC/TimedOctet", also as types of fields. Comments become the documentation of structures and fields. Errors have
+/// file and line; unions, value types and other unsupported parts are errors too.
 Expected<std::vector<MessageDefinition>> read_idl(const SourceText& source, const IdlIncluder& include);
 
 /// Converts a structure to the message of a port. A first field `tm` of type `Time` becomes the stamp of the message,

@@ -12,7 +12,7 @@ namespace {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// A line of a comment without its decoration.
+// A line of a comment without slashes, stars and tags.
 std::string_view plain_line(std::string_view line) {
     line = trimmed(line, " \t\r\n*/!<");
     for (const std::string_view tag : {"@brief", "\\brief"}) {
@@ -68,7 +68,7 @@ std::string_view IdlLexer::read_directive() {
     const std::size_t begin = at_;
     to_end_of_line();
     std::string_view line = trimmed(text_.substr(begin + 1, at_ - begin - 1));
-    // Text for certain compilers is skipped.
+    // Skips text that is only for certain compilers.
     if (line.starts_with("ifdef") || line.starts_with("if ")) skip_conditional();
     if (!line.starts_with("include")) return {};
     line = trimmed(line.substr(7));
@@ -83,7 +83,7 @@ void IdlLexer::skip(std::string& comment) {
         if (c == '\n') {
             ++line_;
             ++at_;
-            // A comment with an empty line after it documents nothing.
+            // A comment that is followed by an empty line documents nothing.
             if (++empty_lines > 1) comment.clear();
         } else if (std::isspace(static_cast<unsigned char>(c)) != 0) {
             ++at_;

@@ -11,9 +11,9 @@ namespace nezumi {
 struct IdlToken {
     enum class Kind { end, word, number, text, sign, include, wrong };
     Kind kind = Kind::end;
-    std::string_view text{};  ///< of an `include` the file's name; of a `wrong` one what was expected
+    std::string_view text{};  ///< for `include` the file's name; for `wrong` what was expected
     int line = 0;
-    std::string comment{};  ///< that stands before it
+    std::string comment{};  ///< the comment before the token
 };
 
 class IdlLexer {
@@ -26,7 +26,7 @@ public:
     std::string comment_behind();
 
 private:
-    // Characters that belong to no token.
+    // Skips blanks, comments and directives before a token. Adds the comments to `comment`.
     void skip(std::string& comment);
     bool skip_comment(std::string& comment);
     // Reads a line that begins with '#'. Returns the name of an `#include`.
@@ -39,7 +39,7 @@ private:
     std::size_t at_ = 0;
     int line_ = 1;
     std::string_view include_;
-    bool is_cut_off_ = false;  // within a comment
+    bool is_cut_off_ = false;  // the text ends within a comment
 };
 
 }  // namespace nezumi

@@ -17,7 +17,7 @@
 namespace nezumi {
 namespace {
 
-// The depth of structures, and the total number of fields.
+// How deep the structures of a type are nested, and the total number of their fields.
 struct Extent {
     int depth = 0;
     std::size_t fields = 0;
@@ -56,7 +56,7 @@ std::string key_of(const MessageDefinition& definition, const std::vector<const 
     return key;
 }
 
-// Writes the default of a field, which is a plain value; an error if it does not fit.
+// Sets a field to its default. Returns the error if the default does not fit, or "".
 std::string set_default(const ValuePlace& place, const Value& value) {
     const Type& type = *place.type;
     const auto refuse = [&](std::string_view expected) {
@@ -102,7 +102,7 @@ MessageCatalog::MessageCatalog() = default;
 MessageCatalog::~MessageCatalog() = default;
 
 MessageCatalog& MessageCatalog::shared() {
-    // Never destroyed: values of its types, also within it, may end later than any order of destruction allows.
+    // Never destroyed, because values may refer to its types until the process has ended.
     // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): it is what the function gives
     static MessageCatalog* const catalog = new MessageCatalog;
     return *catalog;
@@ -129,7 +129,7 @@ Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& def
 
     const Lock lock(mutex_);
     const auto [place, is_new] = all_.try_emplace(key_of(definition, elements));
-    const auto made_at = place;  // clang lets no lambda use a structured binding
+    const auto made_at = place;  // a copy, because clang does not let lambdas capture structured bindings
     if (!is_new) return last_[definition.name] = &place->second->message;
     auto made = std::make_unique<Entry>();
     const auto refuse = [&](const FieldDefinition& field, std::string_view text) {
@@ -146,7 +146,7 @@ Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& def
         for (const std::size_t length : field.shape) {
             if (length > most_message_size || type->size * std::max(length, std::size_t{1}) > most_message_size)
                 return refuse(field,
-                              fmt::format("has an array of {} elements, which does not fit into a message of {} bytes",
+                              fmt::format("has an array of {} elements, which makes the message larger than {} bytes",
                                           length, most_message_size));
             type = length == 0 ? &made->types.sequence_of(*type) : &made->types.array_of(*type, length);
         }
@@ -203,7 +203,7 @@ std::string wire_name(const MessageType& type) {
     if (type.is_compiled()) return type.name;
     std::string name = type.name;
     std::replace(name.begin(), name.end(), '/', '_');
-    // If the payload is a sequence, the rows are those of an element.
+    // For a sequence, the rows below are only those of an element, so the kind of the payload is mixed in too.
     std::uint64_t seed = mix(0, static_cast<std::uint64_t>(type.payload->kind));
     for (const MessageField& row : message_fields(type)) {
         if (row.is_structure) continue;

@@ -1,4 +1,4 @@
-// Message types made of definitions.
+// Makes message types from definitions.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ public:
     /// The catalog of this process. Its results depend only on the definitions.
     static MessageCatalog& shared();
 
-    /// Returns the payload of a message that a field names. The error has no location.
+    /// Returns the payload type of the message type that a field names. The error has no location.
     using Payloads = std::function<Expected<const Type*>(const FieldDefinition& field)>;
 
     /// Returns the message type of a definition. An error has the location of the wrong field.
@@ -38,12 +38,12 @@ private:
     struct Entry;
 
     Mutex mutex_;
-    std::map<std::string, std::unique_ptr<Entry>> all_;  // by what makes them differ
+    std::map<std::string, std::unique_ptr<Entry>> all_;  // by `key_of` the definition
     std::map<std::string, const MessageType*, std::less<>> last_;
 };
 
-/// The identifier of a message type between hosts. For a type from a file it ends with a hash of its fields, so that
-/// hosts with different definitions do not confuse them.
+/// The name of a message type for other hosts. For a type from a file it ends with a hash of the fields, so that hosts
+/// with different definitions of one name do not exchange messages.
 std::string wire_name(const MessageType& type);
 
 }  // namespace nezumi

@@ -14,7 +14,7 @@ namespace {
 
 constexpr CdrFormat little_endian{.order = std::endian::little, .header = true};
 
-// Values that no port may carry are refused.
+// The message that was read. An error if reading failed, or if ports don't allow the value (its numbers or lengths).
 Expected<AnyMessage> checked(Expected<void> read, Value value, double tm) {
     if (!read) return Unexpected(read.error());
     if (!is_finite(value)) return failure("a number is not finite");
@@ -25,7 +25,7 @@ Expected<AnyMessage> checked(Expected<void> read, Value value, double tm) {
 }  // namespace
 
 MessageCoding own_coding(const MessageType& type) {
-    // The definition is that of a structure with these two fields.
+    // A structure of the stamp and the payload, for the definition.
     Type message;
     message.kind = Type::Kind::structure;
     message.name = type.name;

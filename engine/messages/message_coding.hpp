@@ -11,18 +11,19 @@
 
 namespace nezumi {
 
-/// Messages in CDR, with the 4 bytes of RTPS before them.
+/// How the messages of a type are converted to CDR, with the 4 bytes of RTPS at the start, and back.
 struct MessageCoding {
-    std::string type;        ///< in ROS: "sensor_msgs/msg/LaserScan"
-    std::string definition;  ///< `msg_text` of it
+    std::string type;        ///< the name in ROS: "sensor_msgs/msg/LaserScan"
+    std::string definition;  ///< the `msg_text` of the type
     /// Replaces `out` by a message with this payload and stamp `tm` [s].
     std::function<void(Octets& out, const ValueView& payload, double tm)> write;
-    /// Reads a message. `tm` [s]: its stamp if this type has none. An error if the bytes are not such a message.
+    /// Reads a message. If the type has no stamp, the message gets the stamp `tm` [s]. An error if the bytes are not a
+    /// message of this type.
     std::function<Expected<AnyMessage>(std::span<const std::uint8_t> bytes, double tm)> read;
 };
 
-/// The coding of a message type that ROS has no type for: its stamp `tm`, and its payload in `data`. Its name is
-/// "nezumi_msgs/msg/TimedShortSeq".
+/// The coding of a message type for which ROS has no type: a structure with the stamp `tm` and the payload `data`,
+/// named for example "nezumi_msgs/msg/TimedShortSeq".
 MessageCoding own_coding(const MessageType& type);
 
 /// The coding of a described structure as a whole message, without a stamp.

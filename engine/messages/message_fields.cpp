@@ -9,7 +9,7 @@
 namespace nezumi {
 namespace {
 
-// `numbers`: the allowed numbers of the field.
+// The allowed values of a type in words. `numbers`: whether infinite numbers and NaN are allowed.
 std::string values_of(const Type& type, Numbers numbers = Numbers::finite) {
     const bool many = type.element != nullptr;
     const Type& single = many ? *type.element : type;

@@ -1,4 +1,4 @@
-// The fields of a message in words.
+// Describes the fields of a message in words.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct MessageField {
 /// All fields of a message in order; each field comes before the fields within it.
 std::vector<MessageField> message_fields(const MessageType& message);
 
-/// The limits of a field in addition to its type: " from 0 to 5", " up to 100 elements".
+/// The limits of a field in addition to its type: ", from 0 up to 5", ", up to 100 long"; "" if there are none.
 std::string limits_text(const FieldLimits& limits);
 
 }  // namespace nezumi

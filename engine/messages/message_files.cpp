@@ -21,8 +21,8 @@ namespace nezumi {
 namespace fs = std::filesystem;
 namespace {
 
-// Whether two names are the same file name, as "light_sensors" and "LightSensors" are. Every port of every behaviour
-// asks this of all files beside it, so no text is made.
+// Whether two names are equal without case and underscores, as "light_sensors" and "LightSensors". Called for every
+// port and every file beside its behaviour, so it makes no strings.
 bool same_file_name(std::string_view a, std::string_view b) {
     const auto skip = [](std::string_view& name) {
         name.remove_prefix(std::min(name.find_first_not_of('_'), name.size()));
@@ -35,7 +35,7 @@ bool same_file_name(std::string_view a, std::string_view b) {
     return a.empty() && b.empty();
 }
 
-// The name of a file without `ending`; nothing for other files. No path is made either.
+// The name of a file without `ending`; nothing for files with another ending. Makes no path, to be fast.
 std::optional<std::string_view> stem_of(std::string_view file, std::string_view ending) {
     if (!file.ends_with(ending)) return std::nullopt;
     return file.substr(0, file.size() - ending.size());
@@ -46,7 +46,7 @@ struct TypeName {
     std::string package, name;
 };
 
-// Accepts "Obstacle", "sensor_msgs/Imu", and the forms of others: "sensor_msgs/msg/Imu", "RTC::TimedOctet".
+// Accepts "Obstacle", "sensor_msgs/Imu", and the forms of ROS and IDL: "sensor_msgs/msg/Imu", "RTC::TimedOctet".
 std::optional<TypeName> parse_name(std::string_view text) {
     std::string name(text);
     for (const std::string_view between : {"::", "/msg/"}) {
@@ -64,7 +64,7 @@ std::optional<TypeName> parse_name(std::string_view text) {
     }
 }
 
-// Whether a Lua file beside behaviours defines a message.
+// Whether the text of a Lua file defines a message (`return message ...`), not a behaviour.
 bool returns_message(std::string_view text) {
     for (std::size_t at = text.find("return"); at != std::string_view::npos; at = text.find("return", at + 1)) {
         const std::string_view rest = text.substr(std::min(text.find_first_not_of(" \t\r\n", at + 6), text.size()));
@@ -93,7 +93,7 @@ bool has_type(const Type::Field& field, const FieldDefinition& defined) {
     return type == (single != nullptr ? single : compiled_structure(defined.kind));
 }
 
-// The compiled structure with the name and the fields of the definition; it is used instead.
+// The compiled structure to use instead of a definition with the same name and the same fields; null if there is none.
 const Type* same_compiled(const std::string& kind, const MessageDefinition& definition) {
     const Type* type = compiled_structure(kind);
     if (type == nullptr) return nullptr;
@@ -139,7 +139,7 @@ public:
             fmt::format("unknown type '{}'{}{}", shown(text), did_you_mean(text, {all.begin(), all.end()}), list_all));
     }
 
-    // All definitions in a folder; a file that can't be read defines nothing.
+    // Adds the names of all types that the files of a folder define. Ignores files that can't be read.
     void add_names(const fs::path& folder, const std::string& package, bool of_messages, std::set<std::string>& names) {
         const std::string prefix = package.empty() ? "" : package + "/";
         for (const std::string& entry : project().files().names_in(folder)) {
@@ -215,8 +215,8 @@ private:
         const fs::path path(name);
         const bool leaves = contains(path, "..");
         if (path.is_absolute() || leaves || name.empty())
-            return failure("expected a file beside it or in behaviors/messages/");
-        // OpenRTM includes its files by another path: <rtm/idl/BasicDataType.idl>.
+            return failure("expected a file beside this file or in behaviors/messages/");
+        // OpenRTM includes its files by another path, <rtm/idl/BasicDataType.idl>, so only the file name is tried too.
         for (const fs::path& each : {path, path.filename()}) {
             for (const fs::path& folder : project().places(FileKind::message, from.path)) {
                 for (const fs::path& file : {folder / each, folder / "rtc" / each}) {
@@ -224,7 +224,7 @@ private:
                 }
             }
         }
-        return failure("there is no such file beside it or in behaviors/messages/");
+        return failure("there is no such file beside this file or in behaviors/messages/");
     }
 
     // The definitions in a folder that fit a name; a `name` without a package also fits definitions in packages.
@@ -257,7 +257,7 @@ private:
                 add_inner(path, entry, name, of_packages);
             }
         }
-        // Modules of IDL need not have the name of their folder.
+        // A module of IDL need not have the name of its folder, so the other folders are searched too.
         if (all.empty() && of_packages.empty() && of_messages && package.empty() && !name.package.empty()) {
             for (const std::string& entry : project().files().names_in(folder)) {
                 if (entry != name.package && fs::path(entry).extension().empty())
@@ -274,7 +274,7 @@ private:
         }
     }
 
-    // A file that would redefine a built-in type, beside the file at `from` or among the messages.
+    // A file that would redefine a built-in type: beside the file at `from`, or in a folder of messages.
     std::optional<Definition> redefinition_of(std::string_view built_in, const fs::path& from) {
         const std::vector<fs::path> folders = project().places(FileKind::message, from);
         for (std::size_t i = 0; i < folders.size(); ++i) {
@@ -299,7 +299,7 @@ private:
                 const bool differ = all[0].package != all[1].package;
                 problem_ = Error{fmt::format("type '{}' is defined by {} and by {}{}", name.name,
                                              project().shown(all[0].path), project().shown(all[1].path),
-                                             differ ? fmt::format(": name it '{}/{}' or '{}/{}'", all[0].package,
+                                             differ ? fmt::format(": write '{}/{}' or '{}/{}'", all[0].package,
                                                                   name.name, all[1].package, name.name)
                                                     : ": remove one of them")};
             }
@@ -334,17 +334,17 @@ private:
     }
 
     Expected<const MessageType*> define_structure(const Structures& all, const std::string& name) {
-        // Types of OpenRTM are the compiled ones.
+        // For types of OpenRTM, the compiled types are used.
         if (const auto compiled = find_message_type(name.substr(name.rfind('/') + 1));
             compiled && name.starts_with("RTC/"))
             return *compiled;
         return make(without_stamp(structure_of(all, name)), fields_of(all));
     }
 
-    // A structure within another one has its stamp as a field.
+    // Finds the types of fields that are structures. In such a structure the stamp stays a field.
     MessageCatalog::Payloads fields_of(const Structures& all) {
         return [this, &all](const FieldDefinition& field) -> Expected<const Type*> {
-            if (field.kind == wide_text) return failure("nezumi has no wide characters: a string holds UTF-8");
+            if (field.kind == wide_text) return failure("nezumi has no wide characters: use string, which holds UTF-8");
             const MessageDefinition& definition = structure_of(all, field.kind);
             if (const Type* compiled = same_compiled(field.kind, definition)) return compiled;
             const auto inner = make(definition, fields_of(all));
@@ -353,15 +353,16 @@ private:
         };
     }
 
-    // In a file that was read, every named structure exists.
+    // The structure with this name. It exists, because reading a file fails if the file names an unknown structure.
     static const MessageDefinition& structure_of(const Structures& all, const std::string& name) {
         return *std::find_if(all.begin(), all.end(), [&](const MessageDefinition& each) { return each.name == name; });
     }
 
     Expected<const MessageType*> make(const MessageDefinition& definition, const MessageCatalog::Payloads& payloads) {
         if (find_message_type(definition.name) || compiled_payload(definition.name) != nullptr)
-            return failure(fmt::format("message '{}': a type of this name is built in", definition.name),
-                           definition.place);
+            return failure(
+                fmt::format("message '{}': a built-in type has this name: choose another name", definition.name),
+                definition.place);
         const auto inside = std::find(chain_.begin(), chain_.end(), definition.name);
         if (inside != chain_.end()) {
             return failure(fmt::format("message '{}' contains itself: {} contains {}", definition.name,
@@ -379,7 +380,7 @@ private:
     std::vector<SourceText>& read_;
     std::map<std::string, SourceText> sources_;
     std::map<std::string, Structures> idl_;
-    std::vector<std::string> chain_;  // messages that are being made, each in the one before
+    std::vector<std::string> chain_;  // messages that are being made, each one is a field of the one before
     std::optional<Error> problem_;
 };
 

@@ -36,15 +36,15 @@ class MessageFiles {
 public:
     MessageFiles(Project project, LuaMessageReader read_lua);
 
-    /// The error has the nearest name. It has a location if a file is wrong, and no location if the type does not
-    /// exist.
+    /// Finds a type by name, as used in the file `from`. The error has a location if a file is wrong. If the type does
+    /// not exist, the error has the nearest name and no location.
     Expected<FoundMessage> find(std::string_view name, const std::filesystem::path& from,
                                 std::vector<SourceText>* read = nullptr) const;
     /// The names of all types defined by files, sorted, as the file `from` can use them.
     std::vector<std::string> names(const std::filesystem::path& from) const;
     /// All types defined by files, by the names that `from` can use, except files with errors. Each file is read once.
     std::vector<const MessageType*> all(const std::filesystem::path& from) const;
-    /// The types defined by the file at `path`.
+    /// The types that the file `source` defines.
     Expected<std::vector<const MessageType*>> types_in(const SourceText& source) const;
 
 private:

@@ -19,7 +19,7 @@ namespace {
 constexpr std::pair<std::string_view, std::string_view> ros_kinds[] = {
     {"bool", "boolean"}, {"byte", "octet"}, {"float32", "float"}, {"float64", "double"}, {"string", "string"}};
 
-// The kind for a type name of ROS; "" for a message.
+// The basic type in definitions for a type name of ROS; "" if it is not a basic type.
 std::string_view kind_of_ros(std::string_view name) {
     const auto find_in = [&](const auto& kinds) -> std::string_view {
         for (const auto& [theirs, ours] : kinds) {
@@ -31,7 +31,7 @@ std::string_view kind_of_ros(std::string_view name) {
     return kind.empty() ? find_in(foreign_kinds()) : kind;
 }
 
-// Takes letters, digits and these from the start of a text.
+// Takes letters, digits and the characters of `more` from the start of a text.
 std::string_view take_word(std::string_view& text, std::string_view more = "_") {
     std::size_t size = 0;
     while (size < text.size() && (std::isalnum(static_cast<unsigned char>(text[size])) != 0 ||
@@ -94,7 +94,7 @@ private:
         return read_entry(text, std::move(doc));
     }
 
-    // The first comment is what the message means, if an empty line comes after it.
+    // If an empty line follows the first comment, this comment is the documentation of the message.
     void end_comment() {
         if (message_.doc.empty() && message_.fields.empty() && message_.constants.empty()) message_.doc = above_;
         above_.clear();
@@ -118,7 +118,7 @@ private:
         if (!behind.empty() && field.shape.empty()) {
             auto initial = plain_value(behind, field.kind);
             if (!initial)
-                return wrong(fmt::format("field '{}' has a default: {}", field.name, initial.error().message));
+                return wrong(fmt::format("the default of field '{}': {}", field.name, initial.error().message));
             field.initial = std::move(*initial);
         }
         auto [unit, meaning] = parse_comment(field.doc);
@@ -151,7 +151,7 @@ private:
             if (auto ok = read_length(text, field.limits.length); !ok) return ok;
         } else if (!text.starts_with(']')) {
             if (auto ok = read_length(text, length); !ok) return ok;
-            if (length == 0) return wrong("an array has at least 1 element");
+            if (length == 0) return wrong("an array must have at least 1 element");
         }
         field.shape.push_back(length);
         return take(text, "]") ? Expected<void>() : wrong(fmt::format("expected ']', got '{}'", shown(text)));
@@ -165,7 +165,7 @@ private:
         return {};
     }
 
-    // A type of the same package needs no package before it.
+    // Adds the package to a type name: types of the same package may be written without it.
     std::string full_name(const std::string& name) const {
         if (name == "Header") return "std_msgs/Header";
         if (name == "time") return "builtin_interfaces/Time";

@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-/// Reads a message of this package ("" for none). Comments become the documentation of the message and its fields.
-/// Numbers may be infinite or NaN. Errors have file and line.
+/// Reads the definition of a message in this package ("" for none). Comments become the documentation of the message
+/// and its fields. The fields may have infinite numbers and NaN. Errors have file and line.
 Expected<MessageDefinition> read_msg(const SourceText& source, std::string_view package);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// A definition follows its user; each is written once.
+// Writes the definition of each inner structure once, after the first structure that uses it.
 #include "engine/messages/msg_text.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ public:
 
 private:
     struct Fields {
-        const Type* type;  // null: `text`
+        const Type* type;  // null: the fields are in `text`
         std::string text;
     };
 
@@ -65,7 +65,7 @@ private:
         return text;
     }
 
-    // The element of an array or a sequence.
+    // The type name of the element of an array or a sequence.
     std::string element_of(const Type& type) {
         const Type& element = *type.element;
         const bool is_list = element.kind == Type::Kind::sequence || element.kind == Type::Kind::array ||

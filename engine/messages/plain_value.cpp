@@ -33,7 +33,7 @@ Expected<Value> whole_value(std::string_view text, const Type& type) {
 Expected<Value> plain_value(std::string_view text, std::string_view kind) {
     const Type* type = type_of_kind(kind);
     if (type == nullptr || type->kind == Type::Kind::octets)
-        return failure(fmt::format("a '{}' can't be written as a constant", shown(kind)));
+        return failure(fmt::format("a value of type '{}' can't be a constant or a default", shown(kind)));
     if (type->kind == Type::Kind::boolean) {
         if (text == "true" || text == "True" || text == "TRUE" || text == "1") return Value(true);
         if (text == "false" || text == "False" || text == "FALSE" || text == "0") return Value(false);
@@ -45,7 +45,7 @@ Expected<Value> plain_value(std::string_view text, std::string_view kind) {
         return Value(quoted ? text.substr(1, text.size() - 2) : text);
     }
     if (type->is_integer()) {
-        // A character is its code.
+        // The value of a character is its code.
         if (text.size() == 3 && text.front() == '\'' && text.back() == '\'')
             return Value(std::int64_t{static_cast<unsigned char>(text[1])});
         auto value = whole_value(text, *type);

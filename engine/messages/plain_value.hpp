@@ -1,4 +1,4 @@
-// Single values as definitions of others write them: in .msg and .idl files.
+// Reads single values of .msg and .idl files: constants and defaults.
 #pragma once
 
 #include <string>

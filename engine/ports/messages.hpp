@@ -72,7 +72,7 @@ struct Pose2D {
     bool operator==(const Pose2D&) const = default;
 
     static constexpr FieldList fields{
-        Field{"position", &Pose2D::position, "", "where"},
+        Field{"position", &Pose2D::position, "", "place on the floor"},
         Field{"heading", &Pose2D::heading, "rad", "direction, counter-clockwise from the x axis"},
     };
 };
@@ -83,7 +83,7 @@ struct Pose3D {
     bool operator==(const Pose3D&) const = default;
 
     static constexpr FieldList fields{
-        Field{"position", &Pose3D::position, "", "where"},
+        Field{"position", &Pose3D::position, "", "place in space"},
         Field{"orientation", &Pose3D::orientation, "", "roll, pitch and yaw"},
     };
 };
@@ -108,7 +108,7 @@ struct RangerGeometry {
     static constexpr FieldList fields{
         Field{"pose", &RangerGeometry::pose, "", "in the robot's frame"},
         Field{"size", &RangerGeometry::size, "", "extent of the device"},
-        Field{"elements", &RangerGeometry::elements, "", "its single transducers"},
+        Field{"elements", &RangerGeometry::elements, "", "the single transducers of the ranger"},
     };
 };
 
@@ -125,7 +125,7 @@ struct RangerConfig {
     static constexpr FieldList fields{
         Field{"minAngle", &RangerConfig::minAngle, "rad", "first scan angle"},
         Field{"maxAngle", &RangerConfig::maxAngle, "rad", "last scan angle"},
-        Field{"angularRes", &RangerConfig::angularRes, "rad", "angle between two scans"},
+        Field{"angularRes", &RangerConfig::angularRes, "rad", "step from one scan angle to the next"},
         Field{"minRange", &RangerConfig::minRange, "m", "shortest distance it measures"},
         Field{"maxRange", &RangerConfig::maxRange, "m", "longest distance it measures"},
         Field{"rangeRes", &RangerConfig::rangeRes, "m", "resolution of a distance"},
@@ -143,8 +143,8 @@ struct RangeData {
         Field{"ranges", &RangeData::ranges, "m",
               "distances, one per scan angle; inf: nothing within reach, -inf: too near, nan: no reading (REP 117)",
               Numbers::any},
-        Field{"geometry", &RangeData::geometry, "", "where the ranger sits"},
-        Field{"config", &RangeData::config, "", "what it can measure"},
+        Field{"geometry", &RangeData::geometry, "", "where the ranger is mounted"},
+        Field{"config", &RangeData::config, "", "what the ranger can measure"},
     };
 };
 
@@ -169,9 +169,9 @@ struct CameraImage {
 
 /// The projection of a camera: a pinhole, with the lens distortion of Brown and Conrady in OpenCV's form. A point x to
 /// the right, y down and z in front of the camera has (a, b) = (x / z, y / z). With r2 = a^2 + b^2 and radial = (1 + k1
-/// r2 + k2 r2^2 + k3 r2^3) / (1 + k4 r2 + k5 r2^2 + k6 r2^3), the distortion moves (a, b) to (a radial + 2 p1 a b + p2
-/// (r2 + 2 a^2), b radial + p1 (r2 + 2 b^2) + 2 p2 a b). The pixel is at column cx + fx * and row cy + fy * this point.
-/// The centre of the first pixel is (0, 0).
+/// r2 + k2 r2^2 + k3 r2^3) / (1 + k4 r2 + k5 r2^2 + k6 r2^3), the distortion moves (a, b) to (a', b') = (a radial + 2
+/// p1 a b + p2 (r2 + 2 a^2), b radial + p1 (r2 + 2 b^2) + 2 p2 a b). The pixel is at column cx + fx a' and row
+/// cy + fy b'. The centre of the first pixel is (0, 0).
 struct CameraIntrinsics {
     std::uint16_t width = 0;
     std::uint16_t height = 0;
@@ -190,10 +190,10 @@ struct CameraIntrinsics {
     bool operator==(const CameraIntrinsics&) const = default;
 
     static constexpr FieldList fields{
-        Field{"width", &CameraIntrinsics::width, "px", "of the pictures"},
+        Field{"width", &CameraIntrinsics::width, "px", "width of the pictures"},
         Field{"height", &CameraIntrinsics::height, "px", ""},
         Field{"fx", &CameraIntrinsics::fx, "px", "focal length in x; 0: unknown"},
-        Field{"fy", &CameraIntrinsics::fy, "px", "focal length along a column"},
+        Field{"fy", &CameraIntrinsics::fy, "px", "focal length in y"},
         Field{"cx", &CameraIntrinsics::cx, "px", "column of the optical axis"},
         Field{"cy", &CameraIntrinsics::cy, "px", "row of the optical axis"},
         Field{"k1", &CameraIntrinsics::k1, "", "radial distortion; below 0 a barrel, above a pincushion"},
@@ -214,7 +214,7 @@ struct SeenMarker {
     bool operator==(const SeenMarker&) const = default;
 
     static constexpr FieldList fields{
-        Field{"id", &SeenMarker::id, "", "its number"},
+        Field{"id", &SeenMarker::id, "", "number of the marker"},
         Field{"pose", &SeenMarker::pose, "", "from the camera: x forward, y left, z up"},
     };
 };
@@ -230,10 +230,10 @@ struct Neighbour {
 
     static constexpr FieldList fields{
         Field{"name", &Neighbour::name, "", "of the robot"},
-        Field{"range", &Neighbour::range, "m", "from the sensor to its middle, seen from above"},
-        Field{"bearing", &Neighbour::bearing, "rad", "counter-clockwise from where the sensor looks"},
-        Field{"message", &Neighbour::message, "", "what it says: at most 10 numbers"},
-        Field{"leds", &Neighbour::leds, "", "which of its LEDs are on"},
+        Field{"range", &Neighbour::range, "m", "from the sensor to the robot's middle, seen from above"},
+        Field{"bearing", &Neighbour::bearing, "rad", "counter-clockwise from the direction of the sensor"},
+        Field{"message", &Neighbour::message, "", "the numbers that the robot sends to its neighbours, at most 10"},
+        Field{"leds", &Neighbour::leds, "", "which of the robot's LEDs are on"},
     };
 };
 
@@ -267,7 +267,8 @@ inline constexpr std::tuple compiled_messages{
     CompiledMessage<CameraImage>{"CameraImage", "a picture"},
     CompiledMessage<CameraIntrinsics>{"CameraIntrinsics", "how a camera projects points in front of it to pixels"},
     CompiledMessage<std::vector<SeenMarker>>{"SeenMarkerSeq", "fiducial markers in sight"},
-    CompiledMessage<std::vector<Neighbour>>{"NeighbourSeq", "robots in sight with what they say, the nearest first"},
+    CompiledMessage<std::vector<Neighbour>>{"NeighbourSeq",
+                                            "robots in sight and the numbers that they send, the nearest first"},
 };
 
 inline constexpr std::size_t compiled_message_count = std::tuple_size_v<decltype(compiled_messages)>;

@@ -22,10 +22,10 @@ struct MessageType {
     const Type* payload = nullptr;
     /// The index in `compiled_messages`; for a type from a file, the number of compiled messages.
     std::size_t place = compiled_message_count;
-    std::string file{};  ///< that defines it, as messages show it
-    std::string ros{};   ///< its name in ROS 2, as "my_msgs/msg/Obstacle"; "" for none
-    std::string rtm{};   ///< its name in OpenRTM, as "IDL:Seen/Obstacle:1.0"; "" for none
-    /// Whether it begins with its stamp there, `Time tm`.
+    std::string file{};  ///< the file that defines the type, as error messages show it; "" for none
+    std::string ros{};   ///< name in ROS 2, such as "my_msgs/msg/Obstacle"; "" for none
+    std::string rtm{};   ///< name in OpenRTM, such as "IDL:Seen/Obstacle:1.0"; "" for none
+    /// Whether the type of OpenRTM begins with the stamp, `Time tm`.
     bool has_rtm_stamp = true;
     std::map<std::string, Value, std::less<>> constants{};
 
@@ -34,7 +34,7 @@ struct MessageType {
 
 /// The message types that are compiled in, in the order of `compiled_messages`.
 std::span<const MessageType> compiled_message_types();
-/// Their names.
+/// The names of these types.
 std::span<const std::string_view> compiled_message_names();
 
 /// The message type of payload T; null for `Value`, which holds the payloads of all types from files.
@@ -53,7 +53,7 @@ inline Value make_payload(const MessageType* type) { return Value(*type->payload
 
 /// The message type with this payload; null if there is none.
 const MessageType* message_of(const Type& payload);
-/// The name of that message type, or "no message".
+/// The name of the message type with this payload, or "no message".
 std::string_view message_name(const Type& payload);
 
 /// Calls `make.template operator()<T>()` for the payload of a message type: T is the structure of a compiled type, or

@@ -20,8 +20,8 @@ bool OutPortBase::latch(const Time& now) {
         if (override_ != Override::dropped) write_any(override_value());
     }
     if (pending_ == 0) return false;
-    // Readers of the publication before this one still refer to its slots, because behaviours latch their outputs after
-    // their inputs.
+    // The slots of the publication before the last are filled next, so its readers must copy their message now. Readers
+    // of the last publication still refer to its slots, because behaviours latch their outputs after their inputs.
     release_slots(sequence_ - 1);
     tm_ = publish(now);
     latched_tick_ = now.tick;
@@ -44,8 +44,8 @@ void InPortBase::latch(const Time& now) {
         return;
     }
     take_published(now);
-    // Injected messages come last, like those of the newest connection. If a sensor writes the port in every tick, they
-    // are valid for one tick.
+    // Injected messages come last, like those of the newest connection. If a sensor writes the port in every tick, an
+    // injected message is the latest one for one tick only.
     if (injected_.empty()) return;
     looks_at_ = nullptr;
     for (Value& value : injected_) take_own(std::move(value), now);
@@ -155,7 +155,7 @@ void InPortBase::put_back(std::vector<AnyMessage> dropped) {
     set_unread(std::move(dropped));
 }
 
-// Keeps the newest of these messages that have a place. Returns the others.
+// Keeps the newest of these messages, as many as the queue can hold. Returns the others.
 std::vector<AnyMessage> InPortBase::set_unread(std::vector<AnyMessage> unread) {
     unread_ = std::min(unread.size(), std::max<std::size_t>(capacity_, 1));
     const auto first = unread.end() - static_cast<std::ptrdiff_t>(unread_);

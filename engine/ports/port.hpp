@@ -73,10 +73,10 @@ public:
     explicit OutPort(std::string name, std::string doc = "", const MessageType* type = message_of<T>())
         : OutPortBase(std::move(name), type, std::move(doc)), zero_(type) {}
 
-    /// Writes a message, which is invisible until the port is latched. Then a queue gets every message of the tick;
-    /// other in-ports get only the last one.
+    /// Writes a message, which is invisible until the port is latched. Then in-ports with a queue get every message of
+    /// the tick; other in-ports get only the last one.
     void write(const T& value) { next_pending() = value; }
-    /// Gives a slot to fill in place, instead of `write`. It contains an old payload.
+    /// Writes a message like `write`: the caller fills the returned slot, which contains an old payload.
     T& next_pending() {
         Few<Message<T>>& slots = slots_[filling_];
         if (pending_ == slots.size()) slots.push_back({zero_.get()});
@@ -88,8 +88,8 @@ public:
         assert(pending_ > 0);
         slots_[filling_][pending_ - 1].tm = tm;
     }
-    /// The first slot of `next_pending` in each tick starts as a copy of `value`, so constant parts are written only
-    /// once. Call it before the first write.
+    /// Makes `value` the old payload of the first slot that `next_pending` returns in a tick, so that constant parts
+    /// are written only once. Call it before the first write.
     void prepare(const T& value) {
         assert(sequence() == 0 && pending_ == 0);
         for (Few<Message<T>>& slots : slots_) {
@@ -125,7 +125,7 @@ private:
     static constexpr double unstamped = std::numeric_limits<double>::infinity();
 
     // Three places in rotation: one is being filled, the next one has the publication before the last, the third one
-    // the last.
+    // has the last publication.
     static constexpr std::size_t places = 3;
     static constexpr std::uint32_t next(std::uint32_t place) { return (place + 1) % places; }
     const Few<Message<T>>& published() const { return slots_[next(next(filling_))]; }
@@ -143,7 +143,7 @@ public:
         : InPortBase(std::move(name), type, std::move(doc), queue), zero_(type) {}
 
     /// The latest message; with a queue, the oldest unread one (if there is none, the one read last). Only the owner
-    /// reads.
+    /// of the port may call this.
     const Message<T>& take() {
         if (unread_ > 0) {
             --unread_;
@@ -161,7 +161,7 @@ public:
     const Message<T>& current() const { return capacity_ > 0 ? taken_ : *latest_; }
     /// The latest message that arrived. Does not consume it.
     const Message<T>& latest() const { return *latest_; }
-    /// All messages that arrived in the tick `arrival_tick()`, oldest first; empty unless the port is followed.
+    /// All messages that arrived in the tick `arrival_tick()`, oldest first; empty unless `follow` was called.
     std::span<const Message<T>> messages() const { return {arrived_.data(), arrived_count_}; }
 
     MessageView message(std::size_t index) const override { return arrived_[index].view(); }
@@ -255,7 +255,7 @@ private:
     // Members that are used in every tick come first.
     const Message<T>* latest_ = &own_;  // a slot of `looks_at_`, or `own_`
     [[no_unique_address]] detail::Zero<T> zero_;
-    Message<T> own_{zero_.get()};    // if it does not belong to a source
+    Message<T> own_{zero_.get()};    // the latest message, if no source has it
     Message<T> taken_{zero_.get()};  // with a queue: what was read last
     std::vector<Message<T>> queue_;  // a ring of `capacity_`, empty until something arrives
     std::size_t head_ = 0;

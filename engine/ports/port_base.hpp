@@ -23,7 +23,7 @@ namespace nezumi {
 struct Time {
     std::int64_t tick = 0;
     double seconds = 0;
-    std::int64_t left_out = 0;  ///< ticks before this one that were skipped by a stall, with real robots
+    std::int64_t left_out = 0;  ///< number of ticks before this one that a stall skipped, with real robots
 };
 
 /// [s] A robot stops after this time without a velocity command. A port is stale after this time without a message, if
@@ -37,7 +37,7 @@ enum class Override : unsigned char {
     none,
     held,     ///< one value is sent every tick and nothing else gets through
     dropped,  ///< nothing gets through
-    frozen,   ///< the value it had is sent every tick and nothing else gets through
+    frozen,   ///< the port's value at the time of `freeze` is sent every tick and nothing else gets through
 };
 
 /// A reference to a message of any type in a port.
@@ -67,8 +67,8 @@ public:
     const std::string& note() const { return texts_->note; }
     void set_note(std::string note) { texts_->note = std::move(note); }
 
-    /// The last messages, oldest first. Of an out-port: its last publication. Of an in-port, if it is followed: all
-    /// messages that arrived in the tick `arrival_tick()`.
+    /// The last messages, oldest first. Of an out-port: its last publication. Of an in-port, if `follow` was called:
+    /// all messages that arrived in the tick `arrival_tick()`.
     virtual std::size_t message_count() const = 0;
     virtual MessageView message(std::size_t index) const = 0;
     /// A copy of the current value: for an in-port the latest arrived value, for an out-port the latest latched value;
@@ -188,7 +188,7 @@ protected:
 
 private:
     friend class InPortBase;
-    /// Before the slots of this publication are reused: its readers keep copies of what they refer to.
+    /// Makes the readers of this publication copy their message. Call it before the slots are reused.
     void release_slots(std::uint64_t sequence) const;
 
     std::int64_t latched_tick_ = -1;
@@ -196,7 +196,7 @@ private:
     std::uint64_t sequence_ = 0;
     double rate_ = 0;
     OutPortBase* companion_ = nullptr;
-    Few<InPortBase*> readers_;  // connected to it
+    Few<InPortBase*> readers_;  // the connected in-ports
     std::unique_ptr<Value> safe_;
 };
 
@@ -210,7 +210,7 @@ struct AnyMessage {
 class InPortBase : public Port {
 public:
     std::size_t message_count() const override { return arrived_count_; }
-    /// Takes the publications of its sources: in the order of ticks, then in the order of the connections.
+    /// Takes the new publications of the sources: in the order of ticks, then in the order of the connections.
     void latch(const Time& now);
     /// Discards everything that has arrived: the port is in the state before its first message.
     void clear();
@@ -220,15 +220,14 @@ public:
     /// Changes the length of the queue (0: only the latest value). Unread messages stay; if they are too many, the
     /// newest stay. Returns the dropped messages, oldest first, and counts them as dropped.
     std::vector<AnyMessage> set_queue(std::size_t queue);
-    /// Reverts the dropping by `set_queue`: the messages come before the unread ones. Messages that do not fit now stay
-    /// dropped.
+    /// Puts messages back that `set_queue` dropped: before the unread messages. Messages that do not fit stay dropped.
     void put_back(std::vector<AnyMessage> dropped);
 
     /// Whether there is an unread message.
     bool is_new() const { return unread_ > 0; }
     /// Number of messages dropped because the queue was full.
     std::uint64_t dropped() const { return overflow_; }
-    /// True at the first call: its overflow has not been reported yet.
+    /// True only at the first call, so that the overflow is reported once.
     bool tells_overflow() { return !std::exchange(overflow_told_, true); }
     /// Length of the queue; 0: only the latest value is kept.
     std::size_t queue() const { return capacity_; }
@@ -236,11 +235,11 @@ public:
     std::int64_t arrival_tick() const { return arrival_tick_; }
     /// The time of that tick [s]; 0 before the first one.
     double arrived_at() const { return arrived_at_; }
-    /// Whether no message has come for `silence`.
+    /// Whether no message came for at least `silence` before `now` [s].
     bool is_silent(double now) const { return now - arrived_at_ >= silence - rounding; }
     bool connected() const { return !sources_.empty(); }
-    /// Whether no message came for more than `stale_after` before `now` [s], or never, or not since its last connection
-    /// was removed.
+    /// Whether no message came for more than `stale_after` before `now` [s]. Also true if no message has ever come, or
+    /// none since the last connection was removed.
     bool is_stale(double now) const {
         const bool is_left = !connected() && count_ == count_when_left_;
         return is_left || arrival_tick_ < 0 || now - arrived_at_ > stale_after() + rounding;
@@ -268,10 +267,10 @@ public:
         detach(source);
         if (InPortBase* other = companion_for(source)) other->detach(*source.companion());
     }
-    /// Sets the in-port for the companions of its sources.
+    /// Sets the companion of this in-port, which is connected to the companions of the sources.
     void set_companion(InPortBase& companion) { companion_ = &companion; }
     std::vector<const OutPortBase*> sources() const;
-    /// Its companion, if connecting this port to `source` also connects the companions; otherwise nullptr.
+    /// The companion of this port, if connecting the port to `source` also connects the companions; otherwise nullptr.
     InPortBase* companion_for(const OutPortBase& source) const {
         const bool both = companion_ != nullptr && source.companion() != nullptr;
         return both && companion_->type() == source.companion()->type() ? companion_ : nullptr;
@@ -280,7 +279,7 @@ public:
     /// From now on, keeps all messages that arrived in the tick `arrival_tick()`, for recording.
     void follow() const { followed_ = true; }
 
-    /// The port is stale after this time [s] without a message: that of its slowest sender.
+    /// The port is stale after this time [s] without a message: the `stale_after` of the slowest source.
     double stale_after() const;
     /// Limit for texts, sequences and pictures in a queue [bytes]. Beyond it the oldest message is dropped, as if the
     /// queue were full.
@@ -320,10 +319,10 @@ protected:
     std::size_t unread_ = 0;
     std::uint64_t overflow_ = 0;
     std::uint64_t disconnections_ = 0;
-    std::uint64_t count_when_left_ = 0;  // the number of messages when its last connection went
+    std::uint64_t count_when_left_ = 0;  // the number of messages when the last connection was removed
     std::int64_t arrival_tick_ = -1;
     double arrived_at_ = 0;
-    std::size_t arrived_count_ = 0;  // messages in the tick `arrival_tick_`, when it is followed
+    std::size_t arrived_count_ = 0;  // messages in the tick `arrival_tick_`, if `followed_`
 
 private:
     friend class OutPortBase;

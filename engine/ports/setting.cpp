@@ -9,7 +9,7 @@
 namespace nezumi {
 namespace {
 
-// The bound that every number has is only a guard against nonsense, so it is not part of a field's description.
+// The default bound of `Rule` is only a guard against nonsense, so descriptions of fields omit it.
 bool has_own_bound(const Rule& rule) { return rule.most < Rule{}.most; }
 
 }  // namespace

@@ -26,18 +26,18 @@ enum class NumberRange { any, not_negative, positive };
 struct Rule {
     bool required = false;
     NumberRange range = NumberRange::any;  ///< of a number, or of each coordinate of a place
-    double least = 0;                      ///< of such a number, unless it is 0: smaller ones can't be simulated
-    double most = 1e6;                     ///< of its magnitude; lengths, masses and rates of robots are much smaller
+    double least = 0;                      ///< smallest number except 0: smaller numbers can't be simulated
+    double most = 1e6;                     ///< largest magnitude; lengths, masses and rates of robots are much smaller
     std::int64_t min = 0;                  ///< of a whole number, inclusive
     std::int64_t max = 0;                  ///< of a whole number, inclusive
-    bool level = false;                    ///< of a place: its z may be left out
+    bool level = false;                    ///< of a place: the coordinate z may be left out
     std::array<std::string_view, 2> words{};      ///< of a boolean: the words for false and true in files
     std::span<const std::string_view> choices{};  ///< of a text: the only allowed ones
     unsigned of = 0;              ///< the kinds of the structure that have this field, as bits; 0: all of them
     bool selects = false;         ///< this field, a choice, determines the kind of the structure
     bool by_hand = false;         ///< read by special code, because it depends on other fields or on files
     std::string_view fallback{};  ///< the default in documentation, if it is not the member's initial value
-    /// Converts a text to its final form, or returns an error.
+    /// Converts a text to its final form. Returns the error, or "".
     std::string (*adopt)(std::string& text) = nullptr;
 };
 
@@ -53,7 +53,7 @@ struct Setting {
 template <class S, class T>
 Setting(const char*, T S::*, const char*, const char*, Rule = {}) -> Setting<S, T>;
 
-/// A field without a member of its own: it is read by special code. `type` is the Lua type for editors.
+/// A field that is read by special code, because no member has its value. `type` is the Lua type for editors.
 struct Extra {
     std::string_view name;
     std::string_view type;
@@ -75,8 +75,8 @@ Internal(T S::*) -> Internal<S, T>;
 template <class E>
 struct Choices;
 
-/// A structure that is written as a table in files: `Describe` has `name`, `doc` and `fields` of the above. If
-/// it has several kinds, `kinds` has their names.
+/// A structure that is written as a table in files: `Describe` has `name`, `doc` and `fields` (each a `Setting`,
+/// `Extra` or `Internal`). If the structure has several kinds, `kinds` has their names.
 template <class T>
 concept Recorded = requires {
     Describe<T>::doc;
@@ -127,7 +127,7 @@ constexpr void for_each_setting(Visit&& visit) {
 std::string words_for(const Rule& rule);
 /// Checks a number by the rule of its field. Returns the error, or "": "expected a positive number, got -1".
 std::string check_number(double number, const Rule& rule, std::string_view unit);
-/// Checks each number of a pose: it must be finite and within the widest range.
+/// Checks that each number of a pose is finite and within the default bound of `Rule`.
 std::string check_pose(const Pose2D& pose);
 std::string check_pose(const Pose3D& pose);
 
@@ -226,7 +226,7 @@ const Type& detail::written_type_of() {
 /// Whether a type is a structure whose fields have rules.
 inline bool is_record(const Type& type) { return !type.fields.empty() && type.fields.front().rule != nullptr; }
 
-/// The fields of a structure: "{ vx =, vy =, va = }". `kinds` is a bit mask of kinds of fields; 0 selects all.
+/// The fields of a structure: "{ vx =, vy =, va = }". `kinds`: only the fields of these kinds, as bits; 0: all fields.
 std::string usage_of(const Type& record, unsigned kinds = 0);
 template <Recorded T>
 std::string usage_of(unsigned kinds = 0) {

@@ -25,7 +25,7 @@ std::string near_path(const fs::path& path) {
             continue;
         }
         const std::string near = nearest_in(there, part.string());
-        if (near.empty() || near == part) return "";  // a link may have no target
+        if (near.empty() || near == part) return "";  // it is a link without a target
         there /= near;
     }
     return there.string();

@@ -27,9 +27,9 @@ std::string_view word(FileKind kind) {
 
 bool ends_in_lua(std::string_view name) { return name.size() > 4 && name.substr(name.size() - 4) == ".lua"; }
 
-// "lib.pid", "lib/pid": must stay within the searched folders.
+// Whether this is the name of a module: "lib.pid", "lib/pid". Such a name can't lead out of the searched folders.
 bool is_module_name(std::string_view name) {
-    bool begins = true;  // of a name
+    bool begins = true;  // a part of the name begins here
     for (const char c : name) {
         const bool ends = c == '.' || c == '/';
         if (begins && ends) return false;
@@ -126,7 +126,7 @@ std::vector<std::string> Project::names(FileKind kind, const fs::path& named_in)
 Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs::path& named_in,
                                  const std::function<bool(const fs::path&)>& passes_over) const {
     if (name.empty()) return failure(fmt::format("the name of a {} is empty", word(kind)));
-    // The name appears in messages and in paths.
+    // The name is shown in messages, so it must not have control characters.
     if (visible(name) != name || name.find_first_of("\n\t") != std::string_view::npos)
         return failure(
             fmt::format("the name of a {} has a control character in it: '{}'", word(kind), nezumi::shown(name)));

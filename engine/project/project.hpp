@@ -32,7 +32,7 @@ public:
     static Project of(const std::filesystem::path& file, std::vector<std::filesystem::path> installed = {},
                       const ProjectFiles& files = disk());
 
-    /// The same project with other access to files, which must outlive all copies of it.
+    /// The same project, but it accesses files by `files`, which must outlive all copies of the returned project.
     Project through(const ProjectFiles& files) const {
         Project project = *this;
         project.files_ = &files;
@@ -44,9 +44,9 @@ public:
     const std::filesystem::path& root() const { return root_; }
     const std::vector<std::filesystem::path>& installed() const { return installed_; }
 
-    /// The path of the file `name`: beside the file `named_in`, then in `behaviors/`, then among the installed files;
-    /// never that file itself. The error has the nearest name and all places that were searched, and no location. Files
-    /// for which `passes_over` returns true are ignored.
+    /// The path of the file `name`: beside the file `named_in`, then in `behaviors/`, then among the installed files.
+    /// Never returns `named_in` itself. The error has the nearest name and all places that were searched, and no
+    /// location. Files for which `passes_over` returns true are ignored.
     Expected<std::filesystem::path> find(
         FileKind kind, std::string_view name, const std::filesystem::path& named_in,
         const std::function<bool(const std::filesystem::path&)>& passes_over = {}) const;
@@ -55,21 +55,22 @@ public:
     std::vector<std::string> names(FileKind kind, const std::filesystem::path& named_in) const;
 
     /// The folders in which files of this kind are searched, in order: the folder of `named_in`, which is the file that
-    /// mentions the name; the project's; the installed one.
+    /// mentions the name; the folders of the project; the installed folders.
     std::vector<std::filesystem::path> places(FileKind kind, const std::filesystem::path& named_in) const {
         return folders(kind, (working_ / named_in).lexically_normal());
     }
 
-    /// The whole of a file; its location in errors is the path as `shown` shows it.
+    /// The whole text of a file. The location of errors is the path as returned by `shown`.
     Expected<std::string> read(const std::filesystem::path& path) const;
     /// The text of a script, with the name `shown` in messages.
     Expected<SourceText> read_source(const std::string& path) const;
 
-    /// A path as a person would type it: relative to the working directory if it is below it.
+    /// A path as a person would type it: relative to the working directory if it is below that directory.
     std::string shown(const std::filesystem::path& path) const;
 
 private:
-    // The folders for such a file, in the order of the search; `naming` is the full path of the file that names it.
+    // The folders for files of this kind, in the order of the search; `naming` is the full path of the file that
+    // mentions the name.
     std::vector<std::filesystem::path> folders(FileKind kind, const std::filesystem::path& naming) const;
 
     const ProjectFiles* files_ = &disk();

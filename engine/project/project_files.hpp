@@ -20,7 +20,7 @@ struct PathSeen {
     std::string unreadable;                         ///< why it could not be read
     std::optional<std::vector<std::string>> names;  ///< names in a folder that was listed
 
-    /// Adds later results; if the kind has changed, replaces everything.
+    /// Adds later results; if `what` has changed, replaces everything.
     void update(PathSeen later);
 };
 using FilesSeen = std::map<std::filesystem::path, PathSeen>;
@@ -30,9 +30,9 @@ public:
     virtual ~ProjectFiles() = default;
     /// The folder for relative paths.
     virtual std::filesystem::path working_folder() const = 0;
-    /// "a file", "a folder", or as `other_than_file`; "" if there is nothing.
+    /// "a file", "a folder", or another result of `other_than_file`; "" if there is nothing.
     virtual std::string what_is(const std::filesystem::path& path) const = 0;
-    /// Whether it is a regular file. A device or a pipe may never end, so names never stand for these.
+    /// Whether the path is a regular file. Not for a device or a pipe: reading one may never end.
     bool is_file(const std::filesystem::path& path) const { return what_is(path) == "a file"; }
     bool is_folder(const std::filesystem::path& path) const { return what_is(path) == "a folder"; }
     /// The names in a folder, sorted, at most 10000; empty if it can't be read.
@@ -41,13 +41,13 @@ public:
     virtual Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const = 0;
 };
 
-/// The disk.
+/// The files on the disk.
 const ProjectFiles& disk();
 
 /// The files that an act reads: each is read once, and does not change afterwards. For one thread at a time.
 class FileSnapshot final : public ProjectFiles {
 public:
-    /// `files` must outlive this object. Results in `found` stay as they were.
+    /// `files` must outlive this object. `found` has results of earlier reading, which are used instead of `files`.
     explicit FileSnapshot(const ProjectFiles& files, FilesSeen found = {})
         : files_(files), working_folder_(files.working_folder()), found_(std::move(found)) {}
     std::filesystem::path working_folder() const override { return working_folder_; }
@@ -55,7 +55,7 @@ public:
     std::vector<std::string> names_in(const std::filesystem::path& folder) const override;
     Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const override;
 
-    /// All results by full path; removes them.
+    /// Returns all results by full path, and forgets them.
     FilesSeen take() {
         known_.clear();
         return std::exchange(found_, {});
@@ -67,7 +67,7 @@ private:
     const ProjectFiles& files_;
     std::filesystem::path working_folder_;
     mutable FilesSeen found_;
-    mutable std::unordered_map<std::string, PathSeen*> known_;  // the same, by each path as it was asked for
+    mutable std::unordered_map<std::string, PathSeen*> known_;  // the same, by the path as the caller wrote it
 };
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// The text of a script: from a file, or from an editor or a scenario instead.
+// The text of a script, from a file, an editor or a scenario.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ using ModuleFinder = std::function<Expected<SourceText>(std::string_view name, s
 /// The text of the file at `path`, shown by its name without folders.
 Expected<SourceText> read_source(const std::string& path);
 
-/// The files whose text, as `read` returns it, has changed or is gone; each once.
+/// The paths of the files whose text has changed or can't be read any more, according to `read`; each path once.
 std::vector<std::string> changed_files(const std::vector<ScriptFile>& files,
                                        const std::function<Expected<SourceText>(const std::string& path)>& read);
 

@@ -22,7 +22,7 @@ Expected<void> check_is_within(const std::filesystem::path& home, const std::fil
     const auto inside = real.lexically_relative(within);
     if (!problem && !inside.empty() && *inside.begin() != "..") return {};
     return failure(
-        fmt::format("'{}' lies outside of the project: {} is saved in {} or below", shown, what, within.string()));
+        fmt::format("'{}' lies outside of the project: {} must be saved in {} or below", shown, what, within.string()));
 }
 
 }  // namespace nezumi

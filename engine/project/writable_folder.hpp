@@ -10,11 +10,11 @@
 
 namespace nezumi {
 
-/// The folder in which files may be written, also below it: the project, otherwise the folder of this file.
+/// The folder in which, and below which, files may be written: that of the project; without one, the folder of `file`.
 std::filesystem::path writable_folder(const Project& project, const std::string& file);
 
-/// An error if `path` is outside of the folder `home`, also through links. It names the file `shown` and says that
-/// `what` ("a system") must be saved within.
+/// An error if `path`, with links resolved, is outside of the folder `home`. The error names the file `shown` and says
+/// that `what` ("a system") must be saved within `home`.
 Expected<void> check_is_within(const std::filesystem::path& home, const std::filesystem::path& path,
                                const std::string& shown, std::string_view what);
 

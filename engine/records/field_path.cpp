@@ -6,7 +6,7 @@ namespace nezumi {
 std::string to_text(const FieldPath& path) {
     std::string text;
     for (const std::string& part : path) {
-        if (!text.empty() && !part.starts_with('[')) text += '.';  // a name that a person chose may be empty
+        if (!text.empty() && !part.starts_with('[')) text += '.';  // a part may be empty: a person chose the name
         text += part;
     }
     return text;

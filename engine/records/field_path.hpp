@@ -17,19 +17,20 @@ using FieldPath = std::vector<std::string>;
 /// "pose.x", "sensors.front.at[2]".
 std::string to_text(const FieldPath& path);
 
-/// The arguments of a call: the name before its table ("" if there is none or it is unknown), and the table or null.
+/// The arguments of a call such as `robot "mouse" { ... }`: the name ("" if there is none or it is unknown), and the
+/// table or null.
 struct GivenTable {
     std::string name{};
     const Value* table = nullptr;
 };
 
-/// Finds the fields of a call's table in the text of its file. The room that reads the language implements it.
+/// Finds the fields of a call's table in the text of its file. The part of the program that reads Lua implements this.
 class FieldSource {
 public:
     virtual ~FieldSource() = default;
-    /// The location of a field of the table argument of `word`, called at `call`. If the text does not contain the
-    /// field (because a program made it), the location of the outer field; if it contains none, `call`. Of several
-    /// calls in the line, the only one whose text fits `given`; `call` if this is ambiguous.
+    /// The location of a field in the table argument of the function `word`, which is called at `call`. If the text
+    /// does not contain the field (because a program made it), the location of the outer field; if that is missing too,
+    /// `call`. If the line has several calls, uses the one whose text fits `given`; if several fit, returns `call`.
     virtual Place find(std::string_view word, const Place& call, const FieldPath& path,
                        const GivenTable& given) const = 0;
 

@@ -279,7 +279,7 @@ void Fields::done(std::string (*hint)(std::string_view name)) {
     const auto refuse = [&](std::string_view key) {
         std::string more = hint != nullptr ? hint(key) : std::string();
         if (more.empty()) more = did_you_mean(key, known);
-        if (more.empty() && known.empty()) more = fmt::format(": there are no {}s here", check_.noun());
+        if (more.empty() && known.empty()) more = fmt::format(": expected no {}s", check_.noun());
         if (more.empty()) more = fmt::format(": expected {}", fmt::join(known, ", "));
         check_.unknown(path_of(key), more);
     };

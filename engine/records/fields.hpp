@@ -15,8 +15,8 @@
 
 namespace nezumi {
 
-/// Collects the mistakes of one call. Keeps the first of the most serious kind: an unknown field (which often explains
-/// a missing field), then a wrong value, then a missing field.
+/// Collects the mistakes of one call. Keeps the first mistake of the most serious kind. The kinds, the most serious
+/// first: an unknown field (which often explains a missing field), a wrong value, a missing field.
 class FieldCheck {
 public:
     /// Every message begins with `what`: "robot 'mouse'". `source` may be null. `noun` is the name of a field in
@@ -75,7 +75,7 @@ public:
     /// nullptr if there is no such field.
     const Value* field(std::string_view name);
     bool has(std::string_view name) { return field(name) != nullptr; }
-    /// Whether the field exists, without marking it as read; it may still be reported as unknown.
+    /// Whether the field exists, without marking it as read: `done` may still report it as unknown.
     bool gives(std::string_view name) const { return table_->find(name) != nullptr; }
     bool boolean(std::string_view name, bool& out);
     bool number(std::string_view name, double& out, const Rule& rule = {}, std::string_view unit = "");
@@ -85,7 +85,7 @@ public:
     bool point(std::string_view name, Point2D& out, NumberRange range = NumberRange::any);
     /// `{ x, y, z }` or `{ x =, y =, z = }`. If `z_optional`, z may be omitted and keeps its value.
     bool point(std::string_view name, Point3D& out, NumberRange range = NumberRange::any, bool z_optional = false);
-    /// The index of one of these texts.
+    /// The index of the text in `choices`.
     bool choice(std::string_view name, std::size_t& out, std::span<const std::string_view> choices);
     /// A text or a list of texts.
     bool names(std::string_view name, std::vector<std::string>& out);
@@ -93,7 +93,7 @@ public:
     bool values(std::string_view name, ParameterValues& out);
     /// `{ x =, y =, heading = }`.
     bool pose(std::string_view name, Pose2D& out);
-    /// Checks that those coordinates that are lengths are large enough for the physics.
+    /// An error if one of the `lengths` is smaller than `rule` allows, because it is too small for the physics.
     void check_lengths(std::string_view name, const Rule& rule, std::string_view unit, std::span<const double> lengths);
     /// The fields of an inner table; none if there is no such table.
     Fields inner(std::string_view name);
@@ -104,7 +104,8 @@ public:
 
     /// An error if there is no such field. `expected` describes its value.
     void require(std::string_view name, std::string_view expected);
-    /// Refuses every field that was not read. `hint` may explain a name; it returns "" or " (...)".
+    /// Refuses every field that was not read. `hint` may explain a name: it returns a text for the end of the message,
+    /// or "".
     void done(std::string (*hint)(std::string_view name) = nullptr);
 
     FieldCheck& check() { return check_; }

@@ -1,4 +1,5 @@
-// Data that a file passes to one of its words. It is a copy, so later changes of the file's tables have no effect.
+// Data that a Lua file passes to a function such as `robot`. It is a copy, so later changes of the file's tables have
+// no effect.
 #pragma once
 
 #include <cstddef>
@@ -31,12 +32,12 @@ struct FileField {
     Value value;
 };
 
-/// The result of a word that makes an object of the arena: its number.
+/// An object of the arena, which a function such as `box` has made: its index.
 struct FileThing {
     std::size_t index = 0;
 };
 
-/// A function. It stays in the language of the file, and is found there by its path.
+/// A function. It stays in Lua, and is found there by the path of its field.
 struct FileFunction {};
 
 /// Any other value; `kind` is the name of its Lua type.
@@ -51,13 +52,14 @@ inline constexpr bool described_by_names<T> = true;
 /// The name of the value's Lua type: "number", "table", "nil", ...
 std::string kind_of(const Value& value);
 
-/// The value as text of a file: `{ noise = 0.05, at = { 0.1, 0.0 } }`. A value without a text (a function) is `nil`.
+/// The value in Lua syntax: `{ noise = 0.05, at = { 0.1, 0.0 } }`. A value that can't be written (a function) is `nil`.
 std::string to_lua(const Value& value);
 
 /// A number, whole or not; nothing for anything else.
 std::optional<double> number_of(const Value& value);
 
-/// The value as a parameter: a boolean, a number, a text, or an array of one of these. The error names its type.
+/// The value as a parameter: a boolean, a number, a text, or an array of one of these. The error names the type
+/// of the value.
 Expected<Value> to_parameter(const Value& value);
 
 }  // namespace nezumi

@@ -16,7 +16,7 @@ void read_inner(Fields& fields, const Type::Field& field, const ValuePlace& out)
     inner.done();
 }
 
-// One of these texts; returns whether it is one of them.
+// Reads a text as its index in `choices`. Returns whether the field exists and is one of them.
 template <class Texts>
 bool read_choice(Fields& fields, const Type::Field& field, const Texts& choices, std::size_t& out) {
     return fields.choice(field.name, out, std::vector<std::string_view>(choices.begin(), choices.end()));
@@ -73,7 +73,7 @@ void read_optional(Fields& fields, const Type::Field& field, const ValuePlace& o
     read_setting(fields, field, {*out.type->element, out.first()});
 }
 
-// Values by name, or sets of values by name.
+// Reads parameter values by name, or parameter sets by name.
 void read_map(Fields& fields, const Type::Field& field, const ValuePlace& out) {
     if (out.type->element->kind == Type::Kind::any) {
         fields.values(field.name, out.as<ParameterValues>());
@@ -123,7 +123,7 @@ void read_record(Fields& fields, const ValuePlace& out, Reading reading) {
         const Rule& rule = *field.rule;
         if (rule.of != 0 && reading.kind != 0 && (rule.of & reading.kind) == 0) continue;
         const Value* value = fields.field(field.name);
-        if (field.type->kind == Type::Kind::nothing) continue;  // read by hand, without a member
+        if (field.type->kind == Type::Kind::nothing) continue;  // an `Extra`: read by special code
         if (value == nullptr && rule.required && reading.is_whole) {
             fields.require(field.name,
                            fmt::format("{}{}{}{}{}", words_of(*field.type, rule), field.unit.empty() ? "" : " in ",

@@ -16,8 +16,8 @@ struct FieldRow {
     std::string values;  ///< the values in words
     std::string unit;    ///< "" for none
     std::string doc;
-    std::string fallback;  ///< what holds without it; "" for nothing
-    std::string kinds;     ///< those of the structure that have it; "" for all
+    std::string fallback;  ///< the default; "" if there is none
+    std::string kinds;     ///< the kinds of the structure that have this field; "" for all
     bool required = false;
 };
 

@@ -1,4 +1,4 @@
-// A check that knows the arguments of its call.
+// Makes the check for the arguments of a call.
 #include "engine/records/word_call.hpp"
 
 #include <fmt/format.h>

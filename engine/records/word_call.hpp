@@ -8,7 +8,7 @@
 
 namespace nezumi {
 
-/// The location of a call. File names are searched beside `place.file`.
+/// A call of the function `word` at `place`. File names in the call are searched beside `place.file`.
 struct WordCall {
     std::string word;
     Place place;

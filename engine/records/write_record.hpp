@@ -7,11 +7,11 @@
 
 namespace nezumi {
 
-/// The value of a field as text of a file, which gives the same value when it is read.
+/// The value of a field in Lua syntax, which gives the same value when it is read.
 std::string setting_text(const ValueView& value, const Rule& rule = {});
 
 /// The fields of `value` that differ from `from`, and the required fields: a reader that begins with `from` then has
-/// `value`. Fields that are read by hand are omitted. "{}" if there are none.
+/// `value`. Omits fields that are read by special code (`Rule::by_hand`). "{}" if there are no fields.
 std::string write_record(const ValueView& value, const ValueView& from);
 /// The fields of `value` that differ from the defaults of the structure, and the required fields.
 template <Recorded T>

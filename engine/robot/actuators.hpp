@@ -21,8 +21,8 @@ public:
 
     /// The message type for a kind of actuator.
     static std::string_view type_for(ActuatorSpec::Kind kind);
-    /// Connects `port` to actuator `index` of the spec. An error if the actuator already has a port, or can't do what
-    /// the description wants.
+    /// Connects `port` to actuator `index` of the spec. An error if the actuator already has a port, or if
+    /// `off_when_silent` has no meaning for it.
     Expected<void> add(std::size_t index, InPortBase& port, bool off_when_silent);
 
     /// Sets the speed [rad/s] of servo `index` of the spec; 0: as fast as possible.
@@ -31,11 +31,12 @@ public:
     /// Acts on received messages. Switches off actuators without a message for `silence` seconds, if their description
     /// wants this. `warn` gets what can't be done, once for each port.
     void act(RobotBody& body, const Time& now, const std::function<void(std::string)>& warn);
-    /// Servos stop and sound ends (if there is a body already); further messages are ignored.
+    /// Servos stop and sound ends (if there is a body already). Messages to servos, buzzer and speaker are ignored
+    /// until `rearm`.
     void stop(RobotBody* body);
-    /// Further messages count again.
+    /// Ends `stop`: messages that arrive from now on have an effect again.
     void rearm();
-    /// Its robot is not ACTIVE: sound stops, lights and angles stay.
+    /// For a robot that is not ACTIVE: sound ends and servos stop; lights do not change.
     void be_still(RobotBody& body);
 
     const std::vector<bool>& leds() const { return leds_; }

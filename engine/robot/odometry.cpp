@@ -17,7 +17,7 @@ void Odometry::update(const WheelPulses& pulses) {
         counted_ = pulses;
         return;
     }
-    // Whole numbers are subtracted, so that a pulse is as long after a thousand kilometres as it was at the start.
+    // The difference of whole numbers is exact, also after a thousand kilometres.
     const double left = static_cast<double>(pulses.left - counted_.left) * metres_per_pulse_.left;
     const double right = static_cast<double>(pulses.right - counted_.right) * metres_per_pulse_.right;
     counted_ = pulses;

@@ -9,12 +9,12 @@ namespace nezumi {
 
 class Odometry {
 public:
-    /// `pulses_per_turn` of a wheel, more than 0.
+    /// Radii and track in m; `pulses_per_turn` of a wheel, more than 0.
     Odometry(double left_radius, double right_radius, double track, double pulses_per_turn);
 
     /// Adds the rotation of the wheels; `pulses` counts from the start. The first call only sets the zero.
     void update(const WheelPulses& pulses);
-    /// Its heading lies between -pi and pi.
+    /// The present pose; the heading is between -pi and pi.
     const Pose2D& pose() const { return pose_; }
     void start_at(const Pose2D& pose) { pose_ = pose; }
     void set_pose(const Pose2D& pose) {

@@ -33,7 +33,7 @@ Robot::~Robot() {
     if (body_ != nullptr) body_->set_wheel_speeds({});
 }
 
-// At first a real robot's motors have no power, even if they had it before: the robot must become ACTIVE.
+// The motors of a real robot get power only when it becomes ACTIVE, even if they had power before.
 void Robot::take_body(std::unique_ptr<RobotBody> body) {
     body_ = std::move(body);
     powered_ = has_body() && !is_real();
@@ -86,11 +86,12 @@ Expected<void> Robot::on_activated() {
     for (Needed& needed : needed_) needed = {.sensor = needed.sensor};
     if (twin_ != nullptr) twin_->begin_anew();
     if (is_real() && (say_in_ != nullptr || !neighbour_ports_.empty()) && !std::exchange(said_deaf_, true))
-        log(LogLevel::warn, "neighbours and what they say exist only in simulation: this robot sees and tells nothing");
+        log(LogLevel::warn,
+            "neighbours and what they say exist only in simulation: this real robot sees none and says nothing");
     return {};
 }
 
-// Whether each sensor that it needs gave a value less than `longest_blindness` ago.
+// Whether each sensor that the robot needs for driving gave a value less than `longest_blindness` ago.
 bool Robot::hears_what_it_needs(const Time& now) {
     bool hears = true;
     std::vector<std::string_view> lost, back;
@@ -273,7 +274,7 @@ void Robot::rearm() {
     actuators_.rearm();
     set_motor_power(!is_real() || state() == LifeState::active);
     if (velocity_in_ == nullptr) return;
-    velocity_in_->clear();  // drops what was sent before this and has not arrived
+    velocity_in_->clear();  // drops commands that were sent before, but not yet read
     velocity_in_->set_note(note_before_stop_);
 }
 
@@ -336,7 +337,7 @@ void Robot::drive(const Time& now) {
     const bool stalled = is_real() && period >= std::max(shortest_stall, 3 / tick_rate());
     const bool may = state() != LifeState::active || (hears_what_it_needs(now) && body_->may_drive());
     if (stalled || at_rest_ || !may) {
-        // Commands from meanwhile were meant for the earlier position.
+        // Commands that arrived meanwhile are dropped: they were meant for an earlier position.
         guard_.stop();
         if (velocity_in_ != nullptr) forget_velocities();
     } else if (state() == LifeState::active) {
@@ -346,7 +347,7 @@ void Robot::drive(const Time& now) {
         coasting_ = false;
     }
     if (stalled) {
-        log(LogLevel::warn, fmt::format("stops: nothing was computed for {:.2f} s", period));
+        log(LogLevel::warn, fmt::format("stops: no tick was computed for {:.2f} s", period));
     }
     if (coasting_) {
         if (stopped_) set_motor_power(false);

@@ -22,28 +22,28 @@ class Robot final : public Device {
 public:
     /// Makes the ports of the spec; an error names the port that can't be made. `spec` must outlive the robot.
     static Expected<std::unique_ptr<Robot>> make(std::string name, const RobotSpec& spec, const Limits& limits);
-    /// Stops its body, because no one drives it any more.
+    /// Stops the wheels, because nothing drives them any more.
     ~Robot() override;
-    /// Sets its body; once, before the first tick.
+    /// Sets the body of the robot; once, before the first tick.
     void take_body(std::unique_ptr<RobotBody> body);
 
     /// Makes the ports of a driver that is a behaviour, and sets a body that uses them; once, before the first tick.
-    /// `simulated`: its body in the world; null: it is real.
+    /// `simulated`: the robot's body in the world; null: the robot is real.
     void take_scripted_body(std::unique_ptr<RobotBody> simulated);
     /// Null if its driver is not a behaviour.
     ScriptedBody* scripted_body() { return scripted_; }
     const ScriptedBody* scripted_body() const { return scripted_; }
 
-    /// Sets the start of its odometry.
+    /// Sets the pose at which the odometry starts.
     void set_odometry(const Pose2D& pose) { odometry_.start_at(pose); }
 
     /// Makes this simulated robot with a body the twin of a real one (`Twin`), with an out-port `error`. An error if it
     /// already has a port with this name.
     Expected<void> follow(const Robot& real, const World& world);
-    /// Whether it is the twin of a real robot; `real` is nullptr if that is gone.
+    /// Whether it is the twin of a real robot; `real` returns nullptr if the real robot is gone.
     bool is_twin() const { return twin_ != nullptr; }
     const Robot* real() const { return twin_ != nullptr ? twin_->real() : nullptr; }
-    /// A component that will be destroyed.
+    /// Must be called before the component `gone` is destroyed: it may be the real robot, the driver or a device.
     void forget(const Component& gone);
 
     /// Whether its motors have power: those of a real robot from its activation until it stands after an emergency
@@ -59,7 +59,7 @@ public:
     const Odometry& odometry() const { return odometry_; }
     const std::vector<bool>& leds() const { return actuators_.leds(); }
     int buzzer_hertz() const { return actuators_.buzzer_hertz(); }
-    /// As of its body.
+    /// As in `RobotBody`.
     std::optional<double> battery() const { return has_body() ? body_->battery() : std::nullopt; }
     bool may_drive() const { return !has_body() || body_->may_drive(); }
     /// The texts for its speaker, oldest first, as far as they are stored.
@@ -75,15 +75,15 @@ public:
     void halt() {
         if (is_real()) guard_.halt();
     }
-    /// Obeys new commands again. It must stand.
+    /// Obeys new commands again. The robot must stand when this is called.
     void rearm();
-    /// Its wheels do not turn, and have no command to turn.
+    /// Whether the wheels do not turn, and have no command to turn.
     bool stands() const;
     /// The velocity of its wheels in the last tick.
     const Velocity2D& measured() const { return measured_; }
-    /// The time [s] of this reading of the wheels; nothing if there was none.
+    /// The time [s] of the reading from which `measured` comes; no value if there was none.
     const std::optional<double>& measured_at() const { return measured_at_; }
-    /// The last speeds [m/s] of the wheels' command; nothing if they roll freely.
+    /// The last commanded speeds [m/s] of the wheels; no value if the wheels roll freely.
     const std::optional<Wheels>& told() const { return told_; }
     /// Angle [rad] of servo `index` of the spec's actuators.
     double servo_angle(std::size_t index) const { return body_->servo_angle(index); }
@@ -91,12 +91,12 @@ public:
     void sense(const Time& now) override;
     void actuate(const Time& now) override;
 
-    /// At rest it brakes, stands and drops its commands: while the system of a real robot is paused.
+    /// At rest the robot brakes, stands and drops its commands. A real robot is at rest while its system is paused.
     void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
 
     /// A required sensor without readings for this time [s] keeps the robot from driving.
     static constexpr double longest_blindness = 0.3;
-    /// A loop that stood still for this time [s], or for three ticks if this is longer, has stalled.
+    /// A loop without a tick for this time [s], or for three periods if that is longer, has stalled.
     static constexpr double shortest_stall = 0.2;
 
 private:
@@ -123,7 +123,7 @@ private:
     // A sensor that is required for driving.
     struct Needed {
         std::size_t sensor;
-        std::optional<double> heard_at{};  // [s], or the time when it was first missed
+        std::optional<double> heard_at{};  // [s] time of the last reading; before the first one: when waiting began
         bool was_heard = false;            // since the activation
         bool is_told = false;              // its silence was reported
     };
@@ -191,8 +191,8 @@ private:
     InPort<Velocity2D>* velocity_in_ = nullptr;
     InPort<Pose2D>* pose_in_ = nullptr;
     InPort<std::vector<double>>* say_in_ = nullptr;
-    bool is_quiet_when_silent_ = false;  // it says nothing after a while without messages to `say_in_`
-    std::vector<double> message_;        // what it says
+    bool is_quiet_when_silent_ = false;  // it stops saying its message after a time without messages to `say_in_`
+    std::vector<double> message_;        // the message that the robot says to others
     std::vector<std::size_t> servos_;    // servos with a parameter for their speed, in the order of the parameters
     std::uint64_t parameters_version_ = 0;
 
@@ -204,7 +204,7 @@ private:
     std::string note_before_stop_;  // of velocity_in_
     bool stopped_ = false;          // by an emergency stop
     bool powered_ = true;
-    std::optional<double> braked_at_;  // [s], time since an emergency stop commands zero
+    std::optional<double> braked_at_;  // [s] when the commanded velocity became 0; set while the robot is being stopped
     bool coasting_ = false;
     bool at_rest_ = false;
     bool said_clamped_ = false;

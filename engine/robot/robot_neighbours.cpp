@@ -1,4 +1,4 @@
-// What a robot sees of the robots around it, and says to them.
+// Ports of a robot for the robots around it: what it sees of them, and what it says to them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,8 @@ Expected<void> Robot::add_neighbours(const PortSpec& port, const std::vector<std
     if (port.type != "NeighbourSeq")
         return failure(fmt::format("'{}' sees neighbours: its type is NeighbourSeq, not {}", name, port.type));
     if (sensors.size() > 1) return failure(fmt::format("'{}' needs its own port", name));
-    if (port.quantity != PortSpec::Quantity::value) return failure(fmt::format("'{}' has no `quantity`", name));
+    if (port.quantity != PortSpec::Quantity::value)
+        return failure(fmt::format("'{}' is a neighbours sensor, which has no `quantity`", name));
     auto& made = add_out_port<std::vector<Neighbour>>(port.name, port.doc);
     made.set_rate(port.rate);
     neighbour_ports_.push_back({&made, sensors.front(), port.rate});
@@ -42,8 +43,10 @@ void Robot::take_message(const Time& now) {
         const std::vector<double>& given = say_in_->read();
         const auto length = std::min(given.size(), RobotBody::longest_message);
         if (given.size() > length && !std::exchange(said_long_, true))
-            log(LogLevel::warn, fmt::format("input '{}': it says {} numbers: the first {} are sent (reported once)",
-                                            say_in_->name(), given.size(), length));
+            log(LogLevel::warn,
+                fmt::format(
+                    "input '{}' got {} numbers, and a robot can say only {}: the others are not sent (reported once)",
+                    say_in_->name(), given.size(), length));
         say(std::span(given).first(length));
     } else if (is_quiet_when_silent_ && say_in_->is_silent(now.seconds)) {
         say({});

@@ -53,7 +53,7 @@ void write_readings(const SensorPort& port, std::span<const SensorReading> readi
         slot.config.frequency = rate;
         if (turned != nullptr) slot.geometry.pose = *turned;
     } else {
-        if (slot.size() != size) slot.resize(size);  // a call less in each tick
+        if (slot.size() != size) slot.resize(size);  // saves a call in each tick
         for (std::size_t i = 0; i < size; ++i) slot[i] = element<typename T::value_type>(value(i));
     }
 }

@@ -15,9 +15,9 @@
 namespace nezumi {
 namespace {
 
-constexpr double stale = 0.3;          // [s] readings older than this are not used, as those of drivers in C++
+constexpr double stale = 0.3;          // [s] older readings are not used; the same time as in C++ drivers
 constexpr double speed_window = 0.05;  // [s] time over which speeds are measured
-constexpr double impossible = 10;      // [m/s] a rim that seems faster has counts that began again
+constexpr double impossible = 10;      // [m/s] no wheel is so fast: the counts began again
 
 using Pulses = std::vector<std::int32_t>;
 
@@ -81,8 +81,9 @@ ScriptedBody::ScriptedBody(const RobotSpec& spec, Ports ports, std::unique_ptr<R
         ports.in.push_back(std::move(port));
         return made;
     };
-    pulses_in_ = add_in(wheel_pulses, "by the driver: encoder pulses of the left and right wheel since any start",
-                        static_cast<Pulses*>(nullptr));
+    pulses_in_ =
+        add_in(wheel_pulses, "by the driver: encoder pulses of the left and right wheel, counted from any zero",
+               static_cast<Pulses*>(nullptr));
     may_drive_in_ = add_in(may_drive_port, "by the driver: false brakes the robot, as for a low battery",
                            static_cast<bool*>(nullptr));
     for (const PortSpec& port : spec.ports) {
@@ -95,14 +96,14 @@ ScriptedBody::ScriptedBody(const RobotSpec& spec, Ports ports, std::unique_ptr<R
         } else if (item == "velocity" && velocity_in_ == nullptr) {
             velocity_in_ = add_in(port.name, "by the driver: the measured velocity", static_cast<Velocity2D*>(nullptr));
         } else if (port.type == "NeighbourSeq" || item == "say") {
-            // Known only in simulation: they go past the driver.
+            // Neighbours exist only in simulation, so these ports bypass the driver.
         } else if (is_driven_by_sensors(port)) {
             add_sensor_port(port, ports);
         } else if (port.is_input && item != "odometry") {
             const auto actuator = std::find_if(spec.actuators.begin(), spec.actuators.end(),
                                                [&](const ActuatorSpec& each) { return each.name == item; });
             auto made = make_out_port(*find_message_type(port.type), named(to_driver, port.name),
-                                      "for the driver: what is commanded");
+                                      "for the driver: the command for the actuator");
             actuators_[static_cast<std::size_t>(actuator - spec.actuators.begin())] = made.get();
             ports.out.push_back(std::move(made));
         }
@@ -129,8 +130,8 @@ void ScriptedBody::add_sensor_port(const PortSpec& port, Ports ports) {
         sensed.count = is_half ? 3 : 6;
         sensed.first = port.quantity == PortSpec::Quantity::acceleration ? 3 : 0;
     }
-    auto made =
-        make_in_port(*find_message_type(port.type), named(to_driver, port.name), "by the driver: what is measured", 0);
+    auto made = make_in_port(*find_message_type(port.type), named(to_driver, port.name),
+                             "by the driver: the measured values", 0);
     sensed.port = made.get();
     ports.in.push_back(std::move(made));
     sensed_.push_back(std::move(sensed));
@@ -163,7 +164,7 @@ void ScriptedBody::add_model_ports(Ports ports) {
 }
 
 void ScriptedBody::forget(const Component& gone) {
-    // Without its driver or a device it does not drive.
+    // A robot without its driver, or without one of the devices, does not drive.
     for (Needed& needed : needed_) {
         if (needed.part == &gone) needed = {nullptr, [] { return false; }};
     }
@@ -203,7 +204,7 @@ void ScriptedBody::take_pulses(const Time& now) {
             wheels_.pulses.left += left;
             wheels_.pulses.right += right;
         } else {
-            faults_.emplace_back("the wheels' pulses jumped: they count from there");
+            faults_.emplace_back("the wheels' pulses jumped: the odometry ignores the jump");
             counts_.clear();
         }
     }
@@ -222,7 +223,7 @@ void ScriptedBody::take_pulses(const Time& now) {
                       .right = speed(&WheelPulses::right, metres.right)};
 }
 
-// A driver that writes velocities has no counts: the way is their sum.
+// For a driver that writes velocities, not pulses: integrates the velocities and converts the way to pulses.
 void ScriptedBody::take_velocity(const Time& /*now*/, double period) {
     if (velocity_in_ == nullptr || counted_) return;
     if (velocity_in_->is_new()) {
@@ -303,7 +304,7 @@ void ScriptedBody::show_model(const Time& now, double period) {
             static_cast<OutPort<double>&>(*model_sensors_[i]).write(readings[i].value);
         }
     }
-    // A device model that has failed drives no wheels.
+    // If the device model writes nothing for a time, the simulated wheels stop.
     if (model_drive_ == nullptr) return;
     const bool is_silent =
         model_drive_->arrival_tick() < 0 || now.seconds - model_drive_->arrived_at() > nezumi::silence;

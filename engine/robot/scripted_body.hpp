@@ -16,9 +16,10 @@
 
 namespace nezumi {
 
-/// The ports have the robot's own names with a prefix. `driver_`: for the driver, which reads what is commanded (after
-/// limits, acceleration and braking) and writes what is measured. `model_`: in simulation, for the behaviour that
-/// stands for the robot's devices; it gets what the simulated sensors measure, and drives the simulated wheels.
+/// The ports have the names of the robot's ports or sensors with a prefix. `driver_`: for the driver, which reads what
+/// is commanded (after limits, acceleration and braking) and writes what is measured. `model_`: in simulation, for the
+/// behaviour that stands for the robot's devices; it gets what the simulated sensors measure, and drives the simulated
+/// wheels.
 ///
 /// The driver writes the ports of sensors; and of the wheels, either `wheel_pulses` or the velocity.
 class ScriptedBody final : public RobotBody {
@@ -34,10 +35,10 @@ public:
     /// Adds the ports. `simulated`: the body in the world; null: the robot is real. `spec` must outlive it.
     ScriptedBody(const RobotSpec& spec, Ports ports, std::unique_ptr<RobotBody> simulated);
 
-    /// It drives only while `works` returns true. `part` is the component that it asks about; must be forgotten before
-    /// it is destroyed.
+    /// From now on the robot drives only while `works` returns true. `works` uses the component `part`, so `forget`
+    /// must be called before `part` is destroyed.
     void need(const Component& part, std::function<bool()> works) { needed_.push_back({&part, std::move(works)}); }
-    /// A component that will be destroyed.
+    /// Must be called before the component `gone` is destroyed. If it is needed to drive, the robot drives no more.
     void forget(const Component& gone);
     /// Whether this component is needed to drive.
     bool needs(const Component& part) const;
@@ -96,7 +97,7 @@ private:
     std::vector<std::vector<double>> values_;
     std::vector<Needed> needed_;
     std::vector<std::string> faults_;
-    std::vector<bool> was_told_;  // index: as in sensed_; the port had another number of values
+    std::vector<bool> was_told_;  // index: as in sensed_; whether a wrong number of values was reported
     bool said_pulses_ = false;
 
     WheelReading wheels_;
@@ -106,7 +107,7 @@ private:
         double tm;
         WheelPulses pulses;
     };
-    std::deque<Counted> counts_;  // back to the length of the window for speeds
+    std::deque<Counted> counts_;  // as far back as is needed to measure speeds
 
     // Only in simulation.
     OutPort<std::vector<std::int32_t>>* model_pulses_ = nullptr;

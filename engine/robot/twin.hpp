@@ -20,7 +20,7 @@ public:
 
     /// The real robot; nullptr if it is gone.
     const Robot* real() const { return real_; }
-    /// Forgets the real robot if it is this component; then the twin stands.
+    /// Must be called before the component `gone` is destroyed. If it is the real robot, the twin stands from then on.
     void forget(const Component& gone);
 
     /// Gives the wheels of the twin's body the commands of the real ones, after all safety limits, and moves its servos
@@ -33,7 +33,7 @@ public:
     void begin_anew() { begin_.reset(); }
 
 private:
-    // The poses of both when they counted as equal.
+    // The poses of both robots when the comparison began.
     struct Begin {
         Pose2D real, twin;
         int resets;  // of the odometry

@@ -20,7 +20,7 @@ double brake(double from, double to, double most) {
 
 VelocityGuard::Verdict VelocityGuard::command(const Velocity2D& velocity, double now) {
     commanded_at_ = now;
-    bool finite = true;  // checked in each tick, so without the type's table
+    bool finite = true;  // runs in each tick, so without a walk over the type's table
     for_each_field(velocity, [&](const auto&, double speed) { finite = finite && std::isfinite(speed); });
     if (!finite) {
         stop();

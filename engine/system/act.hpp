@@ -23,7 +23,7 @@ namespace nezumi {
 struct SetParameter {
     std::string component;
     std::string parameter;
-    Value value;  ///< within its limits
+    Value value;  ///< within the limits of the parameter
 };
 /// Publishes a message as if the port's component had written it.
 struct Write {
@@ -39,7 +39,7 @@ struct Inject {
 struct Hold {
     std::string port;
     Value value;
-    bool take = false;  ///< also if another actor holds it
+    bool take = false;  ///< take the port even if another actor holds it
 };
 /// Ends a hold, drop or freeze of a port.
 struct Release {
@@ -86,7 +86,7 @@ struct MoveMarker {
     Pose3D pose;  ///< its new pose
 };
 struct MoveThing {
-    std::string thing;  ///< of the arena, as in "box 2"
+    std::string thing;  ///< a thing of the arena, as in "box 2"
     Pose2D pose;        ///< new pose of its centre, at rest; height and tilt do not change
 };
 struct AddMarker {
@@ -114,12 +114,12 @@ struct Command {
 };
 /// Reloads scripts and modules that were saved, or one whose file is replaced by a text.
 struct Reload {
-    std::vector<std::string> files;  ///< that were saved: all components that come from one of them
-    std::string component;           ///< or, without files, this one and the others of its file,
-    std::string shown;               ///< from a text with this name
-    std::string text;
+    std::vector<std::string> files;  ///< the saved files, whose components are all reloaded
+    std::string component;           ///< without `files`: the component whose file is reloaded
+    std::string shown;               ///< the name of `text` in messages
+    std::string text;                ///< used instead of the content of that file
 };
-/// Goes back to the version before.
+/// Goes back to the previous version of a component's script.
 struct Rollback {
     std::string component;
 };
@@ -130,10 +130,10 @@ struct Remove {
     std::string component;
 };
 struct Restart {};
-/// Makes a simulated system what it was at a tick, before the acts that came then. `RunningSystem::begin_seek`.
+/// Sets a simulated system to its state at a tick, before the acts of that time (`RunningSystem::begin_seek`).
 struct Seek {
     std::string branch{};    ///< "main", "branch 1", ...; "": the present one
-    std::int64_t tick = -1;  ///< of the start; -1: the end of the branch
+    std::int64_t tick = -1;  ///< tick of the start; -1: the end of the branch
     int start = 0;           ///< number of the start; 0: the last one of the branch
 };
 struct Stop {};
@@ -143,16 +143,16 @@ using Act = std::variant<SetParameter, Write, Inject, Hold, Release, Drop, Freez
                          Connect, Disconnect, Teleport, MoveMarker, MoveThing, AddMarker, RemoveMarker, Disturb, Press,
                          Command, Reload, Rollback, Add, Remove, Restart, Seek, Stop, Rearm>;
 
-/// Calls a function with the members of an act, whose names describe it.
+/// The names of an act's members are its whole description.
 template <class T>
 requires is_alternative<T, Act>
 inline constexpr bool described_by_names<T> = true;
 
 /// The result of an act.
 struct ActResult {
-    PlainData values{};                     ///< of a command
-    std::vector<std::string> components{};  ///< that run another version now
-    int version = 0;                        ///< of the first of them
+    PlainData values{};                     ///< the results of a command
+    std::vector<std::string> components{};  ///< the components that run another version now
+    int version = 0;                        ///< the new version of the first of them
     std::vector<std::string> notes{};       ///< ports that were removed, with their connections
 };
 

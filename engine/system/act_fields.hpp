@@ -22,7 +22,7 @@ struct Describe<RobotPlace> {
     static constexpr FieldList fields{
         Setting{"x", &RobotPlace::x, "m", ""},
         Setting{"y", &RobotPlace::y, "m", ""},
-        Setting{"heading", &RobotPlace::heading, "rad", "counter-clockwise, 0 looks along x"},
+        Setting{"heading", &RobotPlace::heading, "rad", "counter-clockwise; 0 is along x"},
     };
 };
 
@@ -34,12 +34,12 @@ struct MarkerPlace {
 template <>
 struct Describe<MarkerPlace> {
     static constexpr std::string_view name = "marker_pose";
-    static constexpr std::string_view doc = "Where a marker is carried.";
+    static constexpr std::string_view doc = "Where a marker is moved.";
     static constexpr FieldList fields{
         Setting{"x", &MarkerPlace::x, "m", "", {.fallback = "as it is"}},
         Setting{"y", &MarkerPlace::y, "m", "", {.fallback = "as it is"}},
-        Setting{"z", &MarkerPlace::z, "m", "of its centre", {.fallback = "as it is"}},
-        Setting{"heading", &MarkerPlace::heading, "rad", "into which it looks", {.fallback = "as it is"}},
+        Setting{"z", &MarkerPlace::z, "m", "height of the marker's centre", {.fallback = "as it is"}},
+        Setting{"heading", &MarkerPlace::heading, "rad", "direction that the marker faces", {.fallback = "as it is"}},
     };
 };
 
@@ -53,7 +53,7 @@ struct Describe<HoldOptions> {
     static constexpr std::string_view name = "hold_options";
     static constexpr std::string_view doc = "Options of a hold.";
     static constexpr FieldList fields{
-        Setting{"take", &HoldOptions::take, "", "even if another actor holds the port"},
+        Setting{"take", &HoldOptions::take, "", "take the port even if another actor holds it"},
     };
 };
 

@@ -8,7 +8,7 @@
 
 namespace nezumi {
 
-/// An actor owns what it holds. Two actors are the same if kind and name are equal.
+/// An actor owns the ports that it holds. Two actors are the same if kind and name are equal.
 struct Actor {
     enum class Kind {
         run,      ///< the run itself
@@ -21,7 +21,7 @@ struct Actor {
         network,  ///< each peer is an actor
     };
     Kind kind = Kind::run;
-    std::string name{};  ///< which of several; "" where there is but one
+    std::string name{};  ///< which one of several; "" if there is only one
 
     bool operator==(const Actor&) const = default;
 };

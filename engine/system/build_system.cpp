@@ -1,4 +1,4 @@
-// Entries become components, in order, each error with the location of its line.
+// Makes a component of each entry, in order. Each error has the location of the wrong line.
 #include "engine/system/build_system.hpp"
 
 #include <fmt/format.h>
@@ -165,7 +165,7 @@ Expected<Component*> add_native(System& system, const ComponentEntry& entry, con
     return system.add(std::move(*made));
 }
 
-// The word of the peer checks its connections, with what this system says of it. Empty if there are no such peers.
+// The check of connections to other programs, by the words of these peers. Empty if the program has no such words.
 System::ForeignCheck foreign_check(const PeerWords& words, const SystemSpec& spec) {
     if (words.empty()) return {};
     return [words, peers = spec.peers](const System& system, const ConnectionSpec& connection) -> Expected<void> {
@@ -242,7 +242,7 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
                                         [](const auto& peer) { return peer.second->word().needs_network(); });
     if (networked != spec.peers.end()) {
         const auto& [word, peer] = *networked;
-        if (!makers.network) return failure(fmt::format("{}: there is no network here", word), peer->place());
+        if (!makers.network) return failure(fmt::format("{}: this program can't use a network", word), peer->place());
         auto network = makers.network(spec, *system);
         if (!network) return at(peer->place(), network.error());
         system->take_network(std::move(*network));
@@ -260,7 +260,7 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
 }
 
 void note_added(System& system, SystemSpec& spec, std::string_view component, const Actor& who, const Makers& makers) {
-    const auto peers = spec.peers;  // each may replace its own
+    const auto peers = spec.peers;  // a copy, because each word may replace its entry
     for (const auto& [name, peer] : peers) peer->word().note_added(spec, component, who);
     system.take_foreign_check(foreign_check(makers.peer_words, spec));
 }

@@ -25,7 +25,7 @@ using BodyMaker = std::function<Expected<std::unique_ptr<RobotBody>>(const Robot
 /// Makes a native component.
 using ComponentMaker = std::function<Expected<std::unique_ptr<Component>>(const ComponentEntry& entry, System& system)>;
 
-/// Makers of the same thing by backend: a simulation, or the driver of a real one.
+/// Makers of one kind by backend: a simulation, or the driver of a real device.
 template <class Maker>
 using ByBackend = std::map<std::string, Maker, std::less<>>;
 
@@ -37,7 +37,7 @@ struct Makers {
     NetworkMaker network;  ///< may be empty: then a system of several hosts is refused
     /// Bodies of all other backends. They are in no world: real and simulated robots do not see each other.
     ByBackend<BodyMaker> bodies;
-    /// Names of all drivers that robots may name, even if nothing is real; empty: any name.
+    /// The drivers that robot files may name, also in simulation; empty: any name.
     std::vector<std::string> drivers{};
     std::function<Expected<std::unique_ptr<Component>>(const BehaviorEntry& entry, const MakerContext& context)>
         behavior;
@@ -57,7 +57,7 @@ struct BuildOptions {
     LogSink log;
 };
 
-/// The context that such a system gives to its factories.
+/// The context that a system with this description and these options gives to its factories.
 MakerContext context_of(const SystemSpec& spec, const BuildOptions& options);
 
 /// Builds the world, every entry in order and the connections, and sets parameters. Nothing is activated. `spec` must

@@ -9,7 +9,7 @@
 namespace nezumi {
 namespace {
 
-constexpr double unit = 1e-6;  // [s] start of the classes
+constexpr double unit = 1e-6;  // [s] the classes are linear far below this and logarithmic far above it
 
 }  // namespace
 

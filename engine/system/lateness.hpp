@@ -25,8 +25,8 @@ public:
     /// The lateness of the latest tick, and the largest one [s].
     double latest() const { return latest_; }
     double worst() const { return worst_; }
-    /// This fraction (0 to 1) of all ticks began at most so late [s]. Exact up to 5 % or 0.1 us, and never more than
-    /// the largest one.
+    /// The lateness [s] that this fraction (0 to 1) of all ticks did not exceed. The error is at most 5 % or 0.1 us;
+    /// the result is at most `worst`.
     double quantile(double part) const;
 
 private:

@@ -30,7 +30,7 @@ struct OfferedPort {
 /// Another host.
 struct Host {
     std::string name;
-    bool here = false;  ///< it is connected; false: only a connection names it
+    bool here = false;  ///< the host is connected; false: only a connection names it
     std::string version{};
     std::vector<OfferedPort> ports{};
 };
@@ -41,7 +41,7 @@ using ActDoor = std::function<Expected<ActResult>(const Act& act, const Actor& w
 /// Delivers a message to a port, like `RunningSystem::deliver`.
 using MessageDoor = std::function<Expected<ActResult>(const Port& port, const Act& act, const Actor& who)>;
 
-/// Answers what another host asks of this system; `writable`: it may also change something.
+/// Answers a request of another host; `writable`: the host may also change this system.
 using QuestionDoor = std::function<Expected<PlainData>(const Question& question, bool writable, const Actor& who)>;
 
 class Network {
@@ -58,15 +58,16 @@ public:
     virtual void before_tick(const MessageDoor& deliver) = 0;
     /// Hosts that are there or waited for, by name.
     virtual std::vector<Host> hosts() const = 0;
-    /// Whether a connection was not made by a `connect` of this system, but by another host or by a word of its file.
+    /// Whether a connection was made by another host or by a word of the system file, and not by `connect` of this
+    /// system.
     virtual bool brought(const ConnectionSpec& connection) const = 0;
 
     // Shared time of several hosts.
-    /// Whether the next tick may begin. False while it waits for other hosts; then ask again.
+    /// Whether the next tick may begin. False while this system waits for other hosts; then call this again.
     virtual bool may_tick() { return true; }
     /// Whether other hosts wait for the ticks of this one.
     virtual bool is_in_lockstep() const { return false; }
-    /// Adds the files that become readable when this may have changed.
+    /// Adds the file descriptors that become readable when `may_tick` may have changed.
     virtual void add_files(std::vector<int>& /*files*/) const {}
     /// The run has ended: this system and the others no longer wait for each other.
     virtual void leave() {}
@@ -74,8 +75,8 @@ public:
     // Requests change nothing of this system, and do not wait.
     /// Sends a request to a host; returns the number of the request. An error if that host is not there.
     virtual Expected<std::uint64_t> ask(const Question& question) const = 0;
-    /// The answer, once, or an error if the host refuses or has not answered in time. Nothing while the answer is not
-    /// there; it comes with one of the next `between_ticks`.
+    /// Returns the answer to a request, once, or an error if the host refuses or has not answered in time. Returns
+    /// nothing while there is no answer yet; it comes in one of the next calls of `between_ticks`.
     virtual std::optional<Expected<PlainData>> answer(std::uint64_t number) const = 0;
 };
 

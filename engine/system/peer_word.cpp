@@ -1,4 +1,4 @@
-// The word before a port's name shows which kind of peer it belongs to.
+// The word before a port's name shows to which kind of peer the port belongs.
 #include "engine/system/peer_word.hpp"
 
 #include <algorithm>

@@ -19,7 +19,7 @@ class Value;
 struct RecordShape;
 struct WordCall;
 
-/// What a system file says with one of these words. Immutable: all copies of a `SystemSpec` share it.
+/// The description of peers in a system file by one of these words. Immutable: all copies of a `SystemSpec` share it.
 class PeerSpec {
 public:
     PeerSpec(const PeerWord& its_word, Place its_place) : word_(its_word), place_(std::move(its_place)) {}
@@ -35,15 +35,15 @@ private:
     const Place place_;
 };
 
-/// A call of such a word.
+/// The call of such a word in a system file.
 struct PeerCall {
     const WordCall& call;
     const Value& table;
     const Project& project;                   ///< finds files that the table names
-    bool (*is_taken)(std::string_view name);  ///< whether the language of the file or the console has this name
+    bool (*is_taken)(std::string_view name);  ///< whether the console or a library of Lua uses this name
 };
 
-/// A room that reaches peers implements their word. A program lists the words that its system files may use
+/// Each library that connects to peers implements their word. A program lists the words that its system files may use
 /// (`LiveOptions::peer_words`); a word must outlive every system.
 class PeerWord {
 public:
@@ -53,22 +53,24 @@ public:
     PeerWord& operator=(const PeerWord&) = delete;
 
     virtual std::string_view name() const = 0;
-    /// The structures of its table, its own first: for editors, the documentation and completion.
+    /// The structures of the word's table, the structure of the table itself first: for editors, the documentation and
+    /// completion.
     virtual std::vector<RecordShape> records() const = 0;
     virtual Expected<std::shared_ptr<const PeerSpec>> read(const PeerCall& call) const = 0;
-    /// A call that is read as the same; ends with a newline.
+    /// The text of a call that is read as the same description; ends with a newline.
     virtual std::string text(const PeerSpec& spec) const = 0;
-    /// Whether a written file has the call after its components; otherwise at its beginning.
+    /// Whether a written file has the call after its components, and not at its beginning.
     virtual bool follows_components() const { return false; }
     /// Whether a system with this word has a network (`Makers::network`).
     virtual bool needs_network() const { return false; }
-    /// Checks what depends on the whole system. Called for systems without the word as well.
+    /// Checks what depends on the whole description. Called for systems without the word as well.
     virtual Expected<void> check(const SystemSpec& /*system*/) const { return {}; }
-    /// Removes what is at this place, and everything that needs it. Returns whether there was anything.
+    /// Removes the part of the description at this location, and everything that needs it. Returns whether there was
+    /// such a part.
     virtual bool remove_at(SystemSpec& /*system*/, const Place& /*place*/) const { return false; }
-    /// Removes names of components that the system does not have.
+    /// Removes the names of components that no longer exist from the description.
     virtual void remove_missing(SystemSpec& /*system*/) const {}
-    /// `who` has added this component to a running system. Called for each word that the system file uses.
+    /// Called after `who` has added this component to a running system, for each word that the system file uses.
     virtual void note_added(SystemSpec& /*system*/, std::string_view /*component*/, const Actor& /*who*/) const {}
 
     /// The form of a port of such a peer, as an end of a connection: "rtm:NAME.port". It begins with "WORD:". "": these
@@ -78,13 +80,13 @@ public:
     bool has_port(std::string_view end) const;
     /// Checks the form of such an end.
     virtual Expected<void> check_port(std::string_view /*end*/) const { return {}; }
-    /// Checks a connection with such a port, as `System::ForeignCheck`. `spec`: what the system file says with this
-    /// word; may be null.
+    /// Checks a connection with such a port, as `System::ForeignCheck`. `spec`: the description by this word in the
+    /// system file; may be null.
     virtual Expected<void> check_connection(const System& /*system*/, const PeerSpec* /*spec*/,
                                             const ConnectionSpec& /*connection*/) const {
         return {};
     }
-    /// Checks what the peers would see of a system that is built, without reaching them.
+    /// Checks the parts of a built system that the peers would see, without connecting to them.
     virtual Expected<void> check_built(const System& /*system*/, const PeerSpec& /*spec*/) const { return {}; }
 };
 

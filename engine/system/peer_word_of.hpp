@@ -1,4 +1,4 @@
-// A word that describes peers by one described structure.
+// A word of system files that describes peers by one structure with a `Describe`.
 #pragma once
 
 #include <memory>
@@ -44,18 +44,18 @@ public:
 
     /// An entry for `SystemSpec::peers`.
     std::shared_ptr<const PeerSpec> spec(T given) const { return std::make_shared<Spec>(*this, std::move(given)); }
-    /// What a system file says with this word; null if the file does not use the word.
+    /// The table of this word in a system file; null if the file does not use the word.
     static const T* find(const SystemSpec& system) {
         const auto found = system.peers.find(Describe<T>::name);
         return found == system.peers.end() ? nullptr : &static_cast<const Spec&>(*found->second).given;
     }
-    /// Replaces it.
+    /// Sets the table of this word.
     void put(SystemSpec& system, T given) const {
         system.peers.insert_or_assign(std::string(name()), spec(std::move(given)));
     }
 
 protected:
-    /// Reads the fields that are read by hand, and checks all of them.
+    /// Reads the fields that `read_record` does not read, and checks all fields.
     virtual void complete(T& given, Fields& fields, const PeerCall& call) const = 0;
     virtual std::string text_of(const T& given) const = 0;
 };

@@ -1,4 +1,4 @@
-// Performs acts on a system. Each act looks up what it names, checks, and then does it.
+// Performs acts on a system: looks up the names, checks the act, and then changes the system.
 #include "engine/system/perform.hpp"
 
 #include <fmt/format.h>
@@ -21,17 +21,18 @@ Expected<ActResult> result_of(const Expected<void>& done) {
     return ActResult{};
 }
 
-// A port that a hold from here has an effect on: what another host's in-port takes is decided there.
+// The port for an act. An error for an in-port of another host: messages reach it on that host, so an act on this host
+// would have no effect.
 Expected<Port*> port_here(System& system, const std::string& path) {
     auto port = system.port(path);
     if (!port || (*port)->direction() == Direction::out || !is_remote(path)) return port;
-    return failure(
-        fmt::format("{} gets its messages on host '{}': do this there, or with the out-port here that it is "
-                    "connected to",
-                    path, host_of(path)));
+    return failure(fmt::format(
+        "{} gets its messages on host '{}': do this on that host, or with the out-port of this host that it is "
+        "connected to",
+        path, host_of(path)));
 }
 
-// Whether the port may have such a value.
+// An error if the port can't have this value.
 Expected<void> check_fits(const Port& port, const std::string& path, const Value& value) {
     if (port.type() != message_of(value.type())) {
         return failure(
@@ -53,14 +54,14 @@ Expected<ActResult> send(Port& port, const std::string& path, const Value& value
     return ActResult{};
 }
 
-// A `Write` or an `Inject`.
+// Performs a `Write` or an `Inject`.
 template <class Message>
 Expected<ActResult> send(System& system, const Message& act) {
     const auto port = port_here(system, act.port);
     return port ? send(**port, act.port, act.value) : Unexpected(port.error());
 }
 
-// At most one actor holds a port.
+// An error if another actor holds the port.
 Expected<void> check_holder(const System& system, const std::string& path, const Actor& who) {
     const Actor* holder = system.holder(path);
     if (holder == nullptr || *holder == who) return {};
@@ -85,7 +86,7 @@ Expected<ActResult> with_component(System& system, const std::string& name, cons
     return result_of(action(**component));
 }
 
-// A robot that a user can move, with the world that moves it and its number there.
+// A robot that a user can move, the world that moves it, and its id in this world.
 struct HandledRobot {
     const Robot* robot;
     World* world;
@@ -101,7 +102,7 @@ Expected<HandledRobot> handled_robot(System& system, const std::string& name) {
     return HandledRobot{seen->robot, world, seen->id};
 }
 
-// Robots of other hosts and of ROS: zero is sent to those that this system drives.
+// Logs which robots of other hosts and of ROS get speed 0 in an emergency stop, and which robots it does not reach.
 void tell_robots_elsewhere(const System& system) {
     for (const ConnectionSpec& each : system.connections()) {
         const auto from = system.port(each.from);
@@ -130,7 +131,7 @@ Expected<SeenRobot> seen_robot(const System& system, const Component& component)
         return failure(fmt::format("{}{}: run this in simulation, or give --rig {}=SOCKET", name, not_seen, name));
     }
     if (robot->is_real()) return failure(fmt::format("{} is a real robot: this works only in simulation", name));
-    if (system.world() == nullptr) return failure("there is no simulated world");
+    if (system.world() == nullptr) return failure("this works only in simulation, and there is no simulated world");
     return SeenRobot{robot, system.world(), robot->id()};
 }
 
@@ -139,7 +140,7 @@ Expected<ActResult> perform(System& system, const SetParameter& act, const Actor
         Parameters& parameters = component.parameters();
         if (const auto* known = parameters.find(act.parameter)) {
             if (auto fits = check_value(known->spec, act.value); !fits) return Unexpected(fits.error());
-            parameters.take_staged();  // what the script set last comes before this
+            parameters.take_staged();  // the last value from the script is applied before this one
         }
         return parameters.set(act.parameter, act.value);
     });

@@ -1,4 +1,4 @@
-// The system first, which may refuse; then its description.
+// Changes the system first, which may refuse, and then its description.
 #include "engine/system/perform_on_spec.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-Unexpected no_world() { return failure("there is no simulated world"); }
+Unexpected no_world() { return failure("this works only in simulation, and there is no simulated world"); }
 
 }  // namespace
 
@@ -50,10 +50,11 @@ Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const Remo
     const auto component = system.component(act.component);
     if (!component) return Unexpected(component.error());
     if (const auto* robot = dynamic_cast<const Robot*>(*component); robot != nullptr && robot->is_real())
-        return failure(fmt::format("{} is a real robot: it stays until the run ends", act.component));
+        return failure(fmt::format("{} is a real robot: real robots can't be removed during a run", act.component));
     for (const ComponentEntry* carried : entries_of<ComponentEntry>(spec)) {
         if (carried->on == act.component)
-            return failure(fmt::format("{} carries {}: remove that first", act.component, carried->name));
+            return failure(
+                fmt::format("{} carries {}: remove the carried component first", act.component, carried->name));
     }
     ActResult result;
     const auto note = [&](const auto& ports) {

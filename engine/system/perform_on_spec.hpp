@@ -7,7 +7,7 @@
 
 namespace nezumi {
 
-// Each between two ticks: afterwards `spec` says what the system is now. On an error nothing has changed.
+// Call these between two ticks. Afterwards `spec` describes the changed system. After an error nothing has changed.
 Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const MoveMarker& act, const Actor& who);
 Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const MoveThing& act, const Actor& who);
 Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const AddMarker& act, const Actor& who);

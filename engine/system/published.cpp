@@ -1,4 +1,4 @@
-// Messages for robots and programs outside of the system; a robot reports its measured velocity.
+// Decides by the type and the owner of a port whether its messages may drive robots.
 #include "engine/system/published.hpp"
 
 #include <algorithm>

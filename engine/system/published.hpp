@@ -10,12 +10,12 @@
 
 namespace nezumi {
 
-/// Whether the messages of an out-port may drive robots: it carries velocities, and is not a port of a robot, which
-/// reports its own velocity.
+/// Whether the messages of an out-port may drive robots: the port carries velocities, and is not a robot's own (a robot
+/// reports its measured velocity).
 bool commands_robots(const System& system, const OutPortBase& port);
 
-/// The messages of an out-port from now on. The system must outlive it; the port must exist until `follow` is called
-/// with another one.
+/// The messages of an out-port from now on. The system must outlive this object; the port must exist until `follow` is
+/// called with another one.
 class Published {
 public:
     Published(const System& system, const OutPortBase& port)
@@ -37,7 +37,7 @@ public:
     }
     const MessageType* type() const { return type_; }
     bool commands() const { return commands_; }
-    /// Continues with the port of the same name and type that has replaced the port.
+    /// Continues with this port, which has replaced the former port and has the same name and type.
     void follow(const OutPortBase& port) {
         if (&port == port_) return;
         port_ = &port;

@@ -14,24 +14,24 @@ struct Question {
         activate,
         deactivate,
         reset,
-        use,      ///< of a named set
-        set,      ///< of a parameter
-        command,  ///< whose results are the answer
-        port,     ///< its last message: stamp [s], number of messages so far, and the value as text
+        use,      ///< uses a named parameter set
+        set,      ///< sets a parameter
+        command,  ///< calls a command; the answer is its results
+        port,     ///< the last message of a port: stamp [s], number of messages so far, and the value as text
         curves,   ///< the values of a name in the last seconds: `read_curves`
-        connect,  ///< another port to this in-port
+        connect,  ///< connects another port to this in-port
         disconnect,
         show,   ///< this name as text, as a console on that host shows it
-        help,   ///< its help text
-        names,  ///< the names of its children: those without a call, then methods and commands; names for plots if a
-                ///< value says so
+        help,   ///< the help text of this name
+        names,  ///< the names of the children: first values, then methods and commands; if `values` is not empty, the
+                ///< names for plots
     };
     std::string host;
     std::string component;
     What what = What::look;
     /// The name of the set, parameter, command or port; else the path below the component: "config.speed_x".
     std::string name{};
-    PlainData values{};  ///< the parameter's, the command's arguments, how many seconds, or the other port
+    PlainData values{};  ///< the parameter's value, the arguments, the seconds, or the other port
 };
 
 }  // namespace nezumi

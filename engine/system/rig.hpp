@@ -1,4 +1,5 @@
-// A test rig: devices that observe real robots and know what a simulation knows of simulated robots.
+// A test rig: devices that observe real robots and measure what a simulation knows about its robots, such as the true
+// poses.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +17,10 @@ namespace nezumi {
 
 struct SystemSpec;
 
-/// A test rig. Its world has no objects of the arena, and never steps.
+/// A test rig. Its world has no objects of the arena and no physics.
 struct Rig {
-    std::unique_ptr<World> world;     ///< none: it sees no robot
-    std::vector<std::string> robots;  ///< the robots that it sees; the index is the id of the robot in its world
+    std::unique_ptr<World> world;     ///< null: the rig sees no robot
+    std::vector<std::string> robots;  ///< the robots that the rig sees; the index is the robot's id in `world`
 
     std::optional<RobotId> find(std::string_view robot) const {
         const auto found = std::find(robots.begin(), robots.end(), robot);
@@ -28,7 +29,8 @@ struct Rig {
     }
 };
 
-/// Makes the rig for a system. The robots are at the poses of the system's file. May be empty: then there is no rig.
+/// Makes the rig for a system, whose robots start at the poses of the system file. May be an empty function: then there
+/// is no rig.
 using RigMaker = std::function<Expected<Rig>(const SystemSpec& spec)>;
 
 }  // namespace nezumi

@@ -1,4 +1,5 @@
-// The smallest of three limits applies: the system's, the model's, and the hardware's until it is calibrated.
+// For a real robot the smallest of three limits applies: the system file's, the model's, and the hardware's until the
+// odometry is calibrated.
 #include "engine/system/robot_limits.hpp"
 
 #include <fmt/format.h>
@@ -52,7 +53,7 @@ std::string lowered_limits(const RobotEntry& entry, const DriveSpec& drive) {
     if (lowered.empty()) return "";
     return fmt::format("limits: the real robot gets {}: {}", fmt::join(lowered, ", "),
                        after_calibration.empty()
-                           ? "its model allows no more, and a system can raise that only in simulation"
+                           ? "its model allows no more, and a system file can exceed that only in simulation"
                            : fmt::format("once its odometry is calibrated (nezumi calibrate odometry) it gets {}",
                                          fmt::join(after_calibration, ", ")));
 }

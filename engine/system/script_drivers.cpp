@@ -1,4 +1,5 @@
-// A driver's ports are those of its robot with the same names; LINE_in and LINE_out are those of the device LINE.
+// The ports of a driver are connected to the robot's ports with the same names; LINE_in and LINE_out to the device
+// LINE.
 #include "engine/system/script_drivers.hpp"
 
 #include <fmt/format.h>
@@ -36,8 +37,8 @@ public:
         for (const DeviceSpec& device : spec_.hardware.devices) {
             if (component.find_port(device.name + "_in") == nullptr &&
                 component.find_port(device.name + "_out") == nullptr)
-                return refuse(
-                    fmt::format("it has no port of the device '{0}': expected {0}_in or {0}_out", device.name));
+                return refuse(fmt::format("the behaviour has no port for the device '{0}': expected {0}_in or {0}_out",
+                                          device.name));
         }
         return {};
     }
@@ -66,7 +67,8 @@ private:
             for (const OutPortBase* each : robot.out_ports()) look(*each);
         }
         if (!found.empty()) return found;
-        // What comes in to the driver comes out of the device; the device model is the device.
+        // The driver's LINE_in reads the device's `out`. The device model acts for the device: its LINE_in reads
+        // `wire_out`.
         const std::string_view in = is_model_ ? "wire_out" : "out", out = is_model_ ? "wire_in" : "in";
         for (const DeviceSpec& device : spec_.hardware.devices) {
             const bool reads = wanted == Direction::out;
@@ -142,9 +144,10 @@ Expected<void> add_script_drivers(SystemSpec& spec) {
             const auto taken = std::find_if(given.begin(), given.end(),
                                             [&](const Entry& other) { return name_of(other) == name_of(part); });
             if (taken != given.end())
-                return failure(fmt::format("'{}' is a part of the robot '{}': give this one another name",
-                                           name_of(part), its.name),
-                               place_of(*taken));
+                return failure(
+                    fmt::format("'{}' is the name of a part of the robot '{}': give this component another name",
+                                name_of(part), its.name),
+                    place_of(*taken));
             entries.push_back(std::move(part));
         }
     }

@@ -27,7 +27,7 @@ bool is_component_name(std::string_view name) {
     return is_identifier(name.substr(0, slash)) && is_identifier(name.substr(slash + 1));
 }
 
-// The worker that runs this thread's share; 0 on the ticking thread.
+// The index of the worker of this thread; 0 on the thread that ticks.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a thread's own number, not shared state
 thread_local std::size_t current_worker = 0;
 
@@ -328,7 +328,7 @@ void System::flush_logs() {
 }
 
 void System::end_when_out_of_time() {
-    // Checks all, not only those that are due: a hook may have run between two ticks.
+    // Checks all components, not only those that are due: a hook may have run between two ticks.
     const auto found = std::find_if(components_.begin(), components_.end(),
                                     [](const auto& component) { return component->out_of_time().has_value(); });
     if (found != components_.end()) fatal_error_ = (*found)->out_of_time();
@@ -336,8 +336,8 @@ void System::end_when_out_of_time() {
 
 namespace {
 
-// Calls `work`. If the component is measured, notes the time until it is done: the tick also waits for the bus of a
-// device, and for the thread of a detector.
+// Calls `work`. If the component is measured, notes the elapsed time, not the CPU time: the tick also waits for the bus
+// of a device, and for the thread of a detector.
 template <class Work>
 void measured(const Component& component, std::int64_t tick, const Work& work) {
     using Clock = std::chrono::steady_clock;
@@ -358,8 +358,8 @@ void System::run_phases(const Group& group, const ForEach& for_each) {
             device.latch_outputs(now_);
         });
     });
-    // Outputs latch after all executions, so no execution sees another's outputs, and each component can continue with
-    // its inputs at once.
+    // Outputs latch after all executions, so no execution sees another's outputs of this tick. So each component can
+    // latch its inputs and execute at once.
     std::atomic<bool> has_hung = false;
     for_each(group.behaviors, [this, &has_hung](Component& behavior) {
         const LifeState before = behavior.state();

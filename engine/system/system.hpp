@@ -28,7 +28,7 @@ namespace nezumi {
 class Network;
 class WorkerPool;
 
-/// [s] of the monotonic clock.
+/// The time of the monotonic clock [s].
 double monotonic_seconds();
 
 class System;
@@ -37,7 +37,8 @@ class System;
 class PortObserver {
 public:
     virtual ~PortObserver() = default;
-    /// All ports have latched in the tick `system.now()`; the world has not advanced since the sensors were read.
+    /// Called after all ports have latched in the tick `system.now()`. The world has not advanced since the sensors
+    /// were read.
     virtual void latched(const System& system) = 0;
 };
 
@@ -47,9 +48,9 @@ public:
         double rate = 100;            ///< [Hz] of the tick
         double physics_step = 0.005;  ///< [s]
         std::uint64_t seed = 0;
-        int threads = 1;                    ///< that sense and execute; the result does not depend on the number
+        int threads = 1;                    ///< threads that sense and execute; the result does not depend on it
         bool out_of_time_is_fatal = false;  ///< a script that runs out of time ends the run, instead of going to ERROR
-        /// There are real robots: time is that of `clock`, so a stall is visible. Otherwise a tick lasts 1 / rate.
+        /// True with real robots: time is that of `clock`, so a stall is visible. Otherwise a tick lasts 1 / rate.
         bool real_time = false;
         std::function<double()> clock = monotonic_seconds;  ///< [s] any origin, never goes back
     };
@@ -77,7 +78,7 @@ public:
     Network* network() { return network_.get(); }
     const Network* network() const { return network_.get(); }
 
-    /// Adds a component; an error if the name is taken or invalid. It is INACTIVE at first.
+    /// Adds a component, which is INACTIVE at first. An error if the name is taken or invalid.
     Expected<Component*> add(std::unique_ptr<Component> component);
     /// Deactivates a component, publishes its safe values, disconnects and destroys it.
     Expected<void> remove(std::string_view name);
@@ -89,20 +90,20 @@ public:
     std::span<const Robot* const> robots() const { return robots_; }
     /// The connections between ports of this system, as in a system file but without locations.
     std::vector<ConnectionSpec> connections() const;
-    /// The connections with a port of another program, in the order of the requests. They are made elsewhere, while
-    /// that program is there.
+    /// The connections with a port of another program, in the order of the requests. The library for that kind of
+    /// program makes them, while the program is there.
     const std::vector<ConnectionSpec>& foreign_connections() const { return foreign_; }
-    /// Checks whether such a connection is possible.
+    /// Checks whether a connection with a port of another program is possible.
     using ForeignCheck = std::function<Expected<void>(const System& system, const ConnectionSpec& connection)>;
     void take_foreign_check(ForeignCheck check) { foreign_check_ = std::move(check); }
     /// nullptr if there is none with this name.
     Component* find(std::string_view name) { return find_component(name); }
     const Component* find(std::string_view name) const { return find_component(name); }
     const Robot* find_robot(std::string_view name) const;
-    /// The component with this name, or an error that names the nearest.
+    /// The component with this name, or an error with the nearest name.
     Expected<Component*> component(std::string_view name) { return component_named(name); }
     Expected<const Component*> component(std::string_view name) const { return component_named(name); }
-    /// The port "name.port", or an error that names the nearest.
+    /// The port "name.port", or an error with the nearest name.
     Expected<Port*> port(std::string_view path) { return port_named(path); }
     Expected<const Port*> port(std::string_view path) const { return port_named(path); }
 
@@ -117,12 +118,12 @@ public:
     /// A connection that has been dropped.
     struct Dropped {
         std::string from, to;      ///< "name.port"
-        std::uint64_t number = 0;  ///< its position among all connections
+        std::uint64_t number = 0;  ///< number of the connection, for its position among all
     };
     /// Removes all connections of a port that will be destroyed.
     std::vector<Dropped> disconnect_all(const Port& port);
-    /// Ends all connections with other programs of one end, "name.port" or "WORD:NAME.port". Returns whether there were
-    /// any.
+    /// Ends all connections of a port with other programs: "name.port", or another program's "WORD:NAME.port". Returns
+    /// whether there were any.
     bool disconnect_foreign(std::string_view end);
     /// Makes a dropped connection again, at its former place among the connections.
     Expected<void> connect_again(const Dropped& dropped);
@@ -136,7 +137,7 @@ public:
     /// Every robot brakes as hard as it can; then its motors are switched off. Behaviours continue, but their commands
     /// to robots are ignored.
     void emergency_stop();
-    /// Robots obey new commands again. An error if nothing was stopped, or while a robot still moves.
+    /// Robots obey new commands again. An error without an emergency stop, or while a robot still moves.
     Expected<void> rearm();
     bool is_stopped() const { return stopped_; }
     const Wiring& wiring() const { return wiring_; }
@@ -155,17 +156,17 @@ public:
     void stop(int brake_ticks);
     /// The error that ended the run, if there is one.
     const std::optional<Error>& fatal_error() const { return fatal_error_; }
-    /// Ends the run with this error, unless it has ended.
+    /// Ends the run with this error, unless the run already has a fatal error.
     void fail(const Error& why) {
         if (!fatal_error_) fatal_error_ = why;
     }
 
-    /// Adds an observer for all further ticks; observers are called in this order. It must outlive the system or be
-    /// removed.
+    /// Adds an observer for all further ticks; observers are called in this order. The observer must outlive the system
+    /// or be removed.
     void observe(PortObserver& observer) { observers_.push_back(&observer); }
     void stop_observing(PortObserver& observer) { std::erase(observers_, &observer); }
 
-    /// Changes if a component or a port is added or removed, for caches.
+    /// A number that changes when a component or a port is added or removed, for caches.
     std::uint64_t layout() const { return layout_; }
     /// Call this before ports of a component change.
     void change_layout() { ++layout_; }

@@ -18,7 +18,7 @@ namespace nezumi {
 
 /// The backend of simulated components, and the default.
 inline constexpr std::string_view simulated = "sim";
-/// The backend of a real device on a wire.
+/// The backend of a real device that is connected to the computer by a wire.
 inline constexpr std::string_view wired_backend = "wired";
 
 /// Limits of a robot that a system file changes; the others are those of the model. Units as in `Limits`.
@@ -34,14 +34,14 @@ struct RobotEntry {
     Pose2D pose;
     LimitChanges limits;
     std::string backend;            ///< key of `Makers::bodies`; "": "sim"
-    bool calibrated = false;        ///< also the simulated robot has the measured values
+    bool calibrated = false;        ///< the simulated robot has the measured values as well
     bool odometry_at_pose = false;  ///< its odometry starts at `pose`, else at 0, 0, 0
     bool active = true;
     Place place;
-    std::string description;  ///< key of `SystemSpec::models` of this robot's own; "": `model`
+    std::string description;  ///< key of the robot's own description in `SystemSpec::models`; "": `model`
     std::string changes;      ///< the fields of a robot file that differ from its model, as the text of a table
-    std::string twin_of;      ///< the real robot before it that this one is the twin of; "": none
-    std::string driver{};     ///< the behaviour after it that drives it (`add_script_drivers`); "": none
+    std::string twin_of;      ///< the real robot whose twin this is, an earlier entry; "": none
+    std::string driver{};     ///< the driver, a later behaviour entry (`add_script_drivers`); "": none
 
     /// The key of its description in `SystemSpec::models`.
     const std::string& described_by() const { return description.empty() ? model : description; }
@@ -55,7 +55,7 @@ using FieldPlaces = std::map<std::string, Place, std::less<>>;
 struct BehaviorEntry {
     std::string name;
     std::string script;  ///< as in the file
-    std::string path;    ///< where it was found
+    std::string path;    ///< path of the script that was found
     ParameterValues config;
     std::map<std::string, ParameterValues, std::less<>> sets;
     std::string set;  ///< "" for none
@@ -74,9 +74,9 @@ struct ComponentEntry {
     std::string on;       ///< the robot that carries it; "" for none
     Point3D at{};         ///< [m] in that robot's body frame
     double yaw = 0;       ///< [rad]
-    std::string backend;  ///< key of its type's factories; "": "sim"
+    std::string backend;  ///< key of the factories of its type; "": "sim"
     bool active = true;
-    /// A Camera's: the file that ROS's camera_calibration wrote. Its values are in `config` after it was read, and this
+    /// For a Camera: the file that ROS's camera_calibration wrote. After reading, its values are in `config`, and this
     /// is "".
     std::string calibration{};
     Place place;
@@ -125,7 +125,7 @@ struct SystemSpec {
     std::vector<Entry> entries;               ///< in the order of the file
     std::vector<ConnectionSpec> connections;
     std::map<std::string, std::shared_ptr<const PeerSpec>, std::less<>> peers{};  ///< by their word
-    std::vector<std::string> files;  ///< every file it was read from: system, models, maps
+    std::vector<std::string> files;  ///< all files of the description: system, models, maps
 };
 
 /// The entries of one kind, in the order of the file.

@@ -28,11 +28,11 @@ std::vector<std::string_view> port_names(const Component& component, Direction d
 
 class Wiring {
 public:
-    /// In the order of their numbers.
+    /// All connections, in the order of their numbers.
     const std::vector<Connection>& connections() const { return connections_; }
 
     /// Connects an out-port to an in-port, by their names. The error has the nearest name, or the port that would fit.
-    /// With the number of a former connection, it gets the position of this one.
+    /// With the number of a former connection, the new one gets the position of the former.
     Expected<Connection> connect(Component& from, std::string_view out, Component& to, std::string_view in,
                                  std::optional<std::uint64_t> number = std::nullopt);
     /// Removes a connection. Returns whether there was one.
@@ -41,7 +41,7 @@ public:
     void disconnect_all(const Port& port, const Time& now);
     /// Removes all connections of a component. Messages that it has published still arrive.
     void disconnect_all(const Component& component, const Time& now);
-    /// "name.port" of the ports at the other ends, including those of a companion.
+    /// "name.port" of the ports at the other ends, including those of a companion port.
     std::vector<std::string> peers(const Port& port) const;
 
 private:

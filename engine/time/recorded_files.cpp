@@ -70,7 +70,7 @@ void RecordedFiles::update(const FilesSeen& seen) {
 }
 
 WorldFactory with_pictures_from(const ProjectFiles& files, WorldFactory make) {
-    if (!make) return {};  // there can be no robots
+    if (!make) return {};  // no worlds, so no robots
     return [&files, make = std::move(make)](const ArenaSpec& arena, const PhysicsSpec& physics,
                                             auto warn) -> Expected<std::unique_ptr<World>> {
         if (!arena.floor) return make(arena, physics, std::move(warn));

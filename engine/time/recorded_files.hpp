@@ -32,8 +32,8 @@ private:
     FilesSeen seen_;
 };
 
-/// Worlds whose pictures are read through `files`, which must outlive the function. Empty if
-/// `make` is.
+/// A factory of worlds whose pictures are read through `files`, which must outlive the factory. Empty if `make` is
+/// empty.
 WorldFactory with_pictures_from(const ProjectFiles& files, WorldFactory make);
 
 }  // namespace nezumi

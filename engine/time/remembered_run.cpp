@@ -27,7 +27,7 @@ RememberedRun::Pose pose_of(const Robot& robot, const World* world) {
     return {static_cast<float>(pose.position.x), static_cast<float>(pose.position.y), static_cast<float>(pose.heading)};
 }
 
-// The branches from the first one to this one, each with the time up to which its events are those of this branch.
+// The branches from the first one to this one, each with the time up to which this branch shares its events.
 std::vector<std::pair<std::size_t, ActTime>> lineage(const RunHistory& history, std::size_t branch) {
     std::vector<std::pair<std::size_t, ActTime>> line;
     ActTime until = history.branches()[branch].end;
@@ -130,7 +130,7 @@ std::vector<RememberedRun::Row> RememberedRun::rows(const RunHistory& history, s
     }
     const std::size_t step = most == 0 ? 1 : std::max<std::size_t>(1, (all.size() + most - 1) / most);
     std::vector<Row> some;
-    std::vector<MovedThing> moved;  // in rows that are left out
+    std::vector<MovedThing> moved;  // movements in rows that are left out
     for (std::size_t index = 0; index < all.size(); ++index) {
         moved.insert(moved.end(), all[index]->things.begin(), all[index]->things.end());
         if (index % step != 0) continue;

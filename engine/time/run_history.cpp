@@ -1,4 +1,4 @@
-// Branches share the events before their beginning, which are never changed.
+// A branch shares the events of its parent from before the branch began.
 #include "engine/time/run_history.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ const PastAct* act_in(const PastEvent& event) {
     return act != nullptr ? act->get() : nullptr;
 }
 
-// Keeps that there was an act, without its message.
+// Replaces an act that has a message by one without a message, so that the number of events stays.
 void drop_message(PastEvent& event) {
     const PastAct* const act = act_in(event);
     if (act != nullptr && message_in(act->act) != nullptr)

@@ -35,14 +35,14 @@ constexpr bool is_earlier(const ActTime& a, const ActTime& b) {
 /// True if the run can't be computed again without this act: it succeeded, or it ran a script's hook or command.
 bool is_of_history(const Act& act, bool succeeded);
 
-/// An act, and the files that it read. Never changed once it is made: journals write it in their own time.
+/// An act, and the files that it read. Never changed after it was made, because journals write it later.
 struct PastAct {
     Act act;
     Actor who;
     bool failed = false;
     FilesSeen files{};
 };
-/// A call that the clock ended.
+/// A call into a script that ran out of time.
 struct PastCall {
     std::string component;
     Component::OutOfTime call;
@@ -61,9 +61,9 @@ public:
     /// One branch of the run. It has the first events of its parent, and then its own.
     struct Branch {
         std::string name;           ///< "main", "branch 1", ...
-        std::size_t parent = 0;     ///< index of the branch that it left; of the first one: itself
+        std::size_t parent = 0;     ///< index of the branch from which it split off; itself for the first one
         std::size_t inherited = 0;  ///< number of events of the parent that are also its own
-        ActTime left{};             ///< when it left its parent
+        ActTime left{};             ///< when it split off
         ActTime end{};              ///< how far it has come
         double seconds = 0;         ///< [s] time of the end, since its start
         std::deque<PastEvent> own{};
@@ -73,14 +73,14 @@ public:
 
     /// Begins the history of a run that has read these files at its start.
     void begin(FilesSeen files);
-    /// The files of the start.
+    /// The files that the run has read at its start.
     const FilesSeen& files() const { return files_; }
 
-    /// [bytes] of the messages that acts gave to ports. They are kept, because every later tick needs them; when they
-    /// are more, none is kept and the run can't go back any more. Pictures need so much, other messages don't.
+    /// Memory for the messages that acts gave to ports [bytes]. The past can be computed only with all of them. If they
+    /// need more, none is kept, and the run can't go back any more. Only pictures need so much.
     static constexpr std::size_t most_bytes = std::size_t{256} << 20;
 
-    /// Adds a present event. If the present is a past moment whose future is known, a new branch starts here.
+    /// Adds an event of the present. If the present is a past moment whose future is known, a new branch starts here.
     void add(PastEvent event);
     /// Whether messages were dropped, so that no past can be computed any more.
     bool is_cut() const { return bytes_ > most_bytes; }

@@ -14,7 +14,7 @@ namespace nezumi {
 namespace {
 
 constexpr std::uint64_t no_version = ~std::uint64_t{0};
-// Whether nodes of this kind have numbers, booleans or texts; for plain data, only those of scripts.
+// Whether a channel can carry the value of this node: numbers, booleans or texts; plain data only of scripts.
 bool is_carried(const TreeNode& node) {
     switch (node.kind()) {
         case TreeNode::Kind::port:
@@ -27,7 +27,8 @@ bool is_carried(const TreeNode& node) {
     }
 }
 
-// The part of a node that is carried: probes are carried without their times, so `probes.error.value` is "error".
+// The part of the value that the channel carries. Of a probe only the value, not its time: `probes.error.value` is
+// "error".
 std::string carried_part(const TreeNode& node) {
     std::string part = node.part();
     if (node.member() == nullptr || node.member()->name != "probes") return part;
@@ -90,7 +91,7 @@ Expected<Channel> Channel::find(const System& system, std::string_view name) {
     if (!is_carried(*node)) return Unexpected(no_such(*owner, member));
     Channel channel(node->whole(), carried_part(*node));
     channel.resolve(system);
-    // The values of the last tick can still be read.
+    // A new channel begins with the values of the last tick, which can still be read.
     if (system.now().tick > 0) channel.latch(system.now().tick - 1);
     return channel;
 }
@@ -148,7 +149,7 @@ void Channel::latch(std::int64_t tick) {
         }
         case Kind::data: fresh_ = 1; break;
     }
-    if (fresh_ == 0) return;  // an in-port that is followed only since then
+    if (fresh_ == 0) return;  // the in-port was not followed yet when the messages came
     has_value_ = true;
     ++turn_;
 }
@@ -181,7 +182,7 @@ void Channel::visit_latest(const LeafVisitor& given) const {
 bool Channel::has_pictures() const { return is_port() && node_->port()->type() == message_of<CameraImage>(); }
 
 void Channel::append_to(Series& series, double seconds) const {
-    // A parameter gets one sample immediately, before it changes.
+    // A parameter gets one sample at once, not only when it changes.
     const std::size_t messages_now = exists() && holds() && series.size() == 0 ? 1 : fresh_;
     if (messages_now == 0) return;
     std::array<double, Series::most_values> values;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below

@@ -20,57 +20,59 @@ class Series;
 /// Whether the path of a leaf is `part` or within it: "pose.heading" in "pose", all in "".
 bool is_within(std::string_view path, std::string_view part);
 
-/// Members of a component, beside ports, that change while it runs and can be recorded: "truth", "config", "state", ...
-/// Sorted.
+/// Members of a component, besides ports, that change while it runs and can be recorded: "truth", "config", "state",
+/// ... Sorted.
 std::vector<std::string> changing_members(const TreeNode& component);
 
-/// A recorded value, or a part of one. It is known by name, so it survives a change of its port, a reload and a
-/// restart.
+/// A recorded value, or a part of one. A channel is identified by its name, so it survives a change of its port, a
+/// reload and a restart.
 ///
 /// The values of a tick: for an out-port all published messages, for an in-port all messages that arrived (through
 /// connections, `inject` and `hold`), for `config` the parameters in ticks with a change, for a script's `state`,
 /// `tasks` and `probes` their state after the execution, for any other value its state after all ports have latched.
-/// The truth about a robot is that of its sensors' readings.
+/// The truth about a robot is from the moment of its sensor readings.
 class Channel {
 public:
-    /// The channel "mouse.truth.pose" of this system. The error names the part that does not exist, and the nearest.
+    /// The channel with this name ("mouse.truth.pose") in a system. The error has the part that does not exist, and the
+    /// nearest name.
     static Expected<Channel> find(const System& system, std::string_view name);
 
     std::string name() const { return join_path(whole_, part_); }
     /// The name of the whole value: "mouse.truth"; and of the part: "pose", "" for all.
     const std::string& whole() const { return whole_; }
     const std::string& part() const { return part_; }
-    /// Its value stays valid until the next message; true for parameters.
+    /// Whether its value stays valid until the next one; true only for `config`.
     bool holds() const { return kind_ == Kind::config; }
     /// The name of a leaf: "mouse.truth.pose.heading", "mouse.ir_sensor_out[1]".
     std::string name_of(const LeafPath& path) const;
 
-    /// The system has it now.
+    /// Whether the system has this channel now.
     bool exists() const { return kind_ != Kind::none; }
-    /// There was a value since the start.
+    /// Whether there was a value since the start.
     bool has_value() const { return has_value_; }
-    /// Number of messages in the last latched tick; a value that is not a port has one if it has changed.
+    /// Number of messages in the last latched tick. A channel that is not a port has one value in each tick; `config`
+    /// only in ticks with a change.
     std::size_t fresh() const { return fresh_; }
     /// Number of ticks with new messages, for readers that do not read in every tick.
     std::uint64_t turn() const { return turn_; }
-    /// Visits the numbers, booleans and texts of one of these messages; 0 is the oldest.
+    /// Visits the numbers, booleans and texts of a message of the last latched tick; 0 is the oldest.
     void visit(std::size_t message, const LeafVisitor& visit) const;
-    /// One of these messages, if it is a port; it stays valid until the next tick.
+    /// A message of the last latched tick, only for ports. It stays valid until the next tick.
     MessageView message(std::size_t message) const { return node_->port()->message(message); }
     /// The port; null for other channels.
     const Port* port() const { return is_port() ? node_->port() : nullptr; }
-    /// Visits those of the latest message; zeros if there was none.
+    /// Visits the numbers, booleans and texts of the latest message; zeros if there was none.
     void visit_latest(const LeafVisitor& visit) const;
 
     /// Call this after the layout of the system has changed.
     void resolve(const System& system);
     /// Copies the messages of this tick. They can be visited until the next tick.
     void latch(std::int64_t tick);
-    /// Adds the numbers, booleans and texts of these messages; `seconds` is the time stamp for values without one.
-    /// An empty series gets the present value.
+    /// Adds the messages of the last latched tick to a series; `seconds` is the time stamp for values without one. If
+    /// the series is empty, `config` adds its present values.
     void append_to(Series& series, double seconds) const;
     bool is_port() const { return kind_ == Kind::out_port || kind_ == Kind::in_port; }
-    /// Its messages are pictures.
+    /// Whether its messages are pictures.
     bool has_pictures() const;
 
 private:

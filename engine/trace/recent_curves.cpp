@@ -19,7 +19,7 @@ using Points = std::vector<Point>;
 constexpr std::size_t most_points = 1200;
 constexpr std::size_t spans = most_points / 4;
 
-// Keeps all changes of a text; of numbers the first, last, least and largest value of each span of time.
+// Keeps all changes of a text; of numbers the first, last, least and largest value of each span of samples.
 Points shortened(const Curve& curve) {
     const Points& all = curve.points;
     if (all.size() <= most_points) return all;

@@ -13,10 +13,10 @@ namespace nezumi {
 
 struct RecentCurves {
     std::string whole{};          ///< what is remembered: "controller.out"
-    std::string part{};           ///< of that: "vx"; "" for all
-    double first = 0;             ///< [s] of the oldest sample; `now` if there is none
-    double now = 0;               ///< [s] until when
-    std::vector<Curve> curves{};  ///< none if it has carried nothing that can be drawn
+    std::string part{};           ///< the part of it: "vx"; "" for all
+    double first = 0;             ///< [s] time of the oldest sample; `now` if there is none
+    double now = 0;               ///< [s] end of the curves
+    std::vector<Curve> curves{};  ///< empty if the channel had no values that can be drawn
 };
 
 /// The values of this channel in the last `seconds` before `now` [s]. A channel that was not remembered before is

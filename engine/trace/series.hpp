@@ -13,7 +13,7 @@ namespace nezumi {
 class Series {
 public:
     static constexpr std::size_t usual_samples = 6000;  ///< a minute at 100 Hz
-    static constexpr std::size_t most_values = 16;      ///< of each message
+    static constexpr std::size_t most_values = 16;      ///< largest number of values in a sample
 
     /// From now on keeps this many samples, at least 1; the oldest are dropped.
     void keep(std::size_t samples);
@@ -21,7 +21,7 @@ public:
     /// Memory of its samples [bytes].
     std::size_t bytes() const { return rows_.size() * sizeof(double); }
 
-    /// "vx", "[1]", "" for a single value: one for each value of a sample.
+    /// The labels of the values of a sample: "vx", "[1]"; "" for a single value.
     const std::vector<std::string>& labels() const { return labels_; }
     std::size_t size() const { return size_; }
     /// Whether older samples were dropped to make room.
@@ -42,7 +42,8 @@ public:
     /// The index of a text in `texts`; adds it if necessary.
     std::size_t place_of(std::string_view text);
 
-    /// Replaces the labels by at least as many. `are_texts` says which have texts; false if it is shorter.
+    /// Replaces the labels by at least as many. `are_texts`: which of the values are texts; missing elements count as
+    /// false.
     void set_labels(std::vector<std::string> labels, std::vector<bool> are_texts = {});
     /// Adds a sample with at most as many values as there are labels.
     void add(double seconds, std::span<const double> values);

@@ -72,7 +72,7 @@ std::string number_text(double value) { return fmt::format("{:.4g}", value == 0 
 
 enum class Ink { plain, braille };
 
-// The rows with their labels, and the time axis.
+// Draws the rows with their labels, and the time axis.
 std::vector<std::string> draw(const std::vector<Curve>& curves, const Range& times, const Range& values,
                               const PlotSize& size, Ink ink) {
     const bool braille = ink == Ink::braille;

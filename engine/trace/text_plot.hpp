@@ -16,14 +16,14 @@ struct Curve {
     std::string name;
     std::vector<std::pair<double, double>> points{};  ///< time [s], ascending, and value; only finite
     char mark = '*';                                  ///< its character in a plain plot
-    std::vector<std::string> texts{};                 ///< for texts: the values are indices in it
+    std::vector<std::string> texts{};                 ///< of a curve of texts: its values are indices in this list
 };
 
 /// The curves of a series between two times [s], one for each label within `part`. With `holds`, a curve starts with
 /// the last value before the start, and its last value continues to the end.
 std::vector<Curve> curves_of(const Series& series, std::string_view part, double from, double to, bool holds = false);
 
-/// "mode: slow from 1.5 s, fast from 2 s": a curve of texts; only the last changes if there are many.
+/// `mode: "slow" from 1.5 s, "fast" from 2 s`: a curve of texts; only the last changes if there are many.
 std::string text_line(const Curve& curve);
 
 struct PlotSize {
@@ -31,12 +31,12 @@ struct PlotSize {
     std::size_t rows = 5;      ///< [lines]
 };
 
-/// The curves in one drawing, later ones over earlier ones, with the range of values at the left and that of times
-/// below; then the character of each. Empty if there is nothing to draw.
+/// Draws the curves in one drawing, later ones over earlier ones, with the range of values at the left and the range of
+/// times below; then a legend of the characters. Empty if there is nothing to draw.
 std::vector<std::string> plain_plot(const std::vector<Curve>& curves, const PlotSize& size);
 
-/// A Braille drawing for each curve between two times [s], with its least and its largest value; one line for constant
-/// curves and for texts.
+/// Draws each curve between two times [s] with Braille dots, with its least and its largest value. A constant curve and
+/// a curve of texts are one line each.
 std::string braille_plot(const std::vector<Curve>& curves, double from, double to, const PlotSize& size = {});
 
 }  // namespace nezumi

@@ -20,17 +20,18 @@ public:
     /// In a system with more ports, only requested channels are remembered.
     static constexpr std::size_t most_ports = 400;
 
-    /// [bytes] of all remembered numbers. When they are more, the oldest are dropped.
+    /// Memory for all remembered numbers [bytes]. If they need more, the oldest are dropped.
     static constexpr std::size_t most_bytes = std::size_t{256} << 20;
 
-    /// Keeps the last `samples` of each channel, instead of `Series::usual_samples`, as far as `most` bytes go.
+    /// Keeps the last `samples` of each channel, instead of `Series::usual_samples`; fewer if all need more than `most`
+    /// bytes.
     void keep(std::size_t samples, std::size_t most = most_bytes);
 
-    /// Switches to the channels of this system, which is at its start, and which must outlive this object. Followed
+    /// Switches to the channels of this system, which has just been built and must outlive this object. Followed
     /// channels stay; remembered numbers are dropped.
     void start(System& system);
 
-    /// What a trace remembers.
+    /// The channels that a trace remembers, and its limits.
     struct Memory {
         std::vector<std::string> names{};
         bool ports = false;
@@ -38,34 +39,36 @@ public:
         std::size_t most_bytes = 0;
     };
     Memory memory() const;
-    /// From now on remembers what the trace of the same system at another time remembers, as far as it exists.
+    /// Remembers from now on the channels in `memory` that this system has, with the limits in `memory`.
     void remember(const Memory& memory);
-    /// Switches to the system of the other trace, with the values that this one remembers too. One that follows nothing
-    /// remembers what the other did.
+    /// Switches to the system of the other trace, and takes over its values of the channels that this trace remembers.
+    /// A trace that follows nothing takes over all channels that the other one remembers.
     void take_over(Trace& other);
 
-    /// Follows the channel with this name from now on. It lives as long as this object. The error names what does not
-    /// exist.
+    /// Follows the channel with this name from now on. The channel lives as long as this object. The error names what
+    /// does not exist.
     Expected<const Channel*> follow(std::string_view name);
-    /// How many are followed.
+    /// The number of followed channels.
     std::size_t followed() const { return followed_.size(); }
-    /// Keeps its numbers from now on as well. The series lives as long as the system has the channel.
+    /// Follows the channel with this name and keeps its numbers from now on. The series lives as long as the system has
+    /// the channel.
     Expected<const Series*> remember(std::string_view name);
     /// The numbers for this name, which may be a part of a port ("controller.out.vx") whose whole value is remembered.
     struct Remembered {
         const Series* series;
-        std::string name;    ///< under which it is remembered: `whole`, or that of the part
-        std::string whole;   ///< of what the series is: "controller.out"
+        std::string name;    ///< the name of the series: `whole`, or the name of the part
+        std::string whole;   ///< the name of the whole value: "controller.out"
         std::string part;    ///< selects the labels within this; "" for all
         bool holds = false;  ///< as `Channel::holds`
     };
     Expected<Remembered> remember_part(std::string_view name);
-    /// What is remembered under this name already; null without.
+    /// The series that is remembered under this name already; null if there is none.
     const Series* remembered(std::string_view name) const;
-    /// Whether it has all values under this name since this time [s] of the last start; false where older ones were
-    /// dropped, or where it was not remembered yet.
+    /// Whether all values under this name since this time [s] of the last start are kept; false if some were dropped,
+    /// or if the name was remembered only later.
     bool has_since(std::string_view name, double seconds) const;
-    /// Remembers every port except those of pictures, also later ones, in a system of at most `most_ports`.
+    /// Remembers all ports, also later ones, except those of pictures. No effect in a system of more than `most_ports`
+    /// ports.
     void remember_ports();
 
     void latched(const System& system) override;
@@ -76,7 +79,7 @@ private:
         Series series{};
         double since = 0;  // [s] when it began to be remembered; 0: as long as the system has had it
         bool remembered = false;
-        bool kept = false;  // a reader has it, whether the system has it or not
+        bool kept = false;  // a reader uses it: keep it even if the system has it no more
     };
 
     Expected<Followed*> find(std::string_view name);

@@ -32,7 +32,7 @@ TraceTable::TraceTable(const std::vector<const Channel*>& channels) {
 
 void TraceTable::follow(const Channel& channel) {
     Source& source = sources_.emplace_back(Source{&channel});
-    // The columns exist before the first message.
+    // Adds the columns already before the first message.
     std::size_t at = 0;
     channel.visit_latest([&](const LeafPath& path, const ValueView&) { set_cell(source, at, path, ""); });
 }
@@ -53,7 +53,7 @@ void TraceTable::set_cell(Source& source, std::size_t& at, const LeafPath& path,
     at = found + 1;
 }
 
-// From this message, or from the latest.
+// Fills the cells of a source from this message, or from the latest.
 void TraceTable::fill(Source& source, std::optional<std::size_t> message) {
     for (const Column& column : source.columns) cells_[column.id].clear();
     std::size_t at = 0;

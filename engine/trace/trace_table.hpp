@@ -18,13 +18,14 @@ namespace nezumi {
 /// Pixels are omitted.
 class TraceTable {
 public:
-    /// The channels must outlive it.
+    /// The channels must outlive this object.
     explicit TraceTable(const std::vector<const Channel*>& channels);
-    /// Adds a channel after the others; no columns are added if these are fixed.
+    /// Adds a channel after the others. Adds no columns after `fix_columns`.
     void follow(const Channel& channel);
 
-    /// Call this after a tick: calls `add` with the cells of its row, by their ids. A tick with several messages of a
-    /// channel has as many rows: each has the next message of every channel, or the last one if there are fewer.
+    /// Call this after a tick: calls `add` with the cells of its row, by their ids. If a channel has several messages
+    /// in a tick, the tick has a row for each: a row has the next message of every channel, or its last one if there
+    /// are fewer.
     void read(const std::function<void(const std::vector<std::string>& cells)>& add);
     /// Like `read`, for a table of selected ticks: one row with the latest value of each channel.
     void read_latest(const std::function<void(const std::vector<std::string>& cells)>& add);
@@ -39,7 +40,7 @@ public:
     std::size_t width() const { return cells_.size(); }
     /// Stops adding columns.
     void fix_columns() { fixed_ = true; }
-    /// The name of each id.
+    /// The names of the columns, by id.
     const std::vector<std::string>& names() const { return names_; }
 
 private:

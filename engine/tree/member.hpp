@@ -15,16 +15,16 @@ namespace nezumi {
 struct MemberInfo {
     std::string_view name;
     std::string_view type{};  ///< as in annotations of Lua
-    bool robot = false;       ///< only of robots
-    bool called = false;      ///< `X:name(...)`
-    bool yields = false;      ///< if a port has the name, `X.name` is the port; otherwise no port may have it
+    bool robot = false;       ///< whether only robots have it
+    bool called = false;      ///< a method: `X:name(...)`
+    bool yields = false;      ///< true: a port may have the name, and then `X.name` is the port
     int most = 0;             ///< maximum number of arguments of a method
     std::string usage{};      ///< "(pose)"
     std::string_view doc{};   ///< documentation
-    /// For a table, which is a copy: advice to use instead of writing to it.
+    /// For a table, which is only a copy: the advice in the error if a user writes to it.
     std::string_view instead{};
     TreeNode::Kind kind = TreeNode::Kind::value;
-    /// The function that reads it; null for members with only children, and for methods.
+    /// The function that reads the member; null for methods, and for members that have only children.
     Expected<NodeValue> (*value)(const TreeNode& node, const PlainLimit& limit) = nullptr;
 };
 
@@ -41,14 +41,15 @@ const std::vector<std::string_view>& names_taken_by_components();
 /// Names that ports of robots can't have. Sorted.
 const std::vector<std::string_view>& names_taken_by_robots();
 
-/// [s] age of the port's message at the next tick; infinity before any.
+/// The age of the port's latest message at the next tick [s]; infinity before the first message.
 double port_age(const System& system, const Port& port);
-/// Whether no message came for `OutPortBase::stale_after` of its sender, or an in-port is not connected.
+/// Whether the port got no message for the time `OutPortBase::stale_after` of the sender, or is an in-port without
+/// connection.
 bool is_stale(const System& system, const Port& port);
 /// "", "held", "dropped", "frozen".
 std::string_view to_text(Override override);
 
-/// The true state of a robot for display: rounding errors of a zero, such as 2.4e-17 m, become zero.
+/// The true state of a robot for display: tiny values, such as 2.4e-17 m, are rounding errors and become zero.
 Truth seen_truth(const World& world, RobotId robot);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Defines the children of each kind of node; everything else is derived from them.
+// Defines the children of each kind of tree node; everything else is derived from them.
 #include "engine/tree/node.hpp"
 
 #include <fmt/format.h>
@@ -179,7 +179,7 @@ Expected<TreeNode> TreeNode::child(std::string_view name) const {
     }
 }
 
-// Lookup order: the component's own members, then its ports, then the members that yield to ports.
+// Lookup order: members whose names ports can't have, ports, commands, then members that yield to ports.
 Expected<TreeNode> TreeNode::child_of_component(std::string_view name) const {
     TreeNode made = *this;
     const MemberInfo* own = find_member(component_members(), name);

@@ -1,7 +1,7 @@
 // The tree of names: everything of a system that can be read or set, by its name in the console.
 //
 // `mouse.truth.pose.heading` is resolved only here, so the console, completion, help, plots, recordings and servers all
-// find the same. Nodes are made on demand and store nothing: each has a few pointers into the system, and becomes
+// find the same value. Nodes are made on demand and store nothing: each has a few pointers into the system, and becomes
 // invalid when the system changes.
 #pragma once
 
@@ -41,14 +41,14 @@ public:
         port,
         config,  ///< the parameters of a component
         parameter,
-        truth,   ///< about a robot
-        data,    ///< plain data of a script ("state", "tasks", "probes"): only a look tells what is in it
+        truth,   ///< the true state of a robot
+        data,    ///< plain data of a script ("state", "tasks", "probes"): its children are known only after reading
         value,   ///< any other value, or a part of one
         method,  ///< a member that is called
         command,
     };
 
-    /// The whole system.
+    /// The root of the tree: the whole system.
     explicit TreeNode(const System& system) : system_(&system) {}
 
     Kind kind() const;
@@ -62,26 +62,26 @@ public:
     std::string_view unit() const;
     /// Documentation; "" if there is none.
     std::string_view doc() const;
-    /// The type of its value; nullptr if it has none, or if it is known only after reading.
+    /// The type of the value; nullptr if there is no value, or if the type is known only after reading.
     const Type* type() const;
 
-    /// The child with this name ("speed", "[2]"), or an error that names the nearest.
+    /// The child with this name ("speed", "[2]"), or an error with the nearest name.
     Expected<TreeNode> child(std::string_view name) const;
-    /// The node at a path below: "out.value.vx". The member `value` of a port may be omitted: "out.vx".
+    /// The node at a path below this one: "out.value.vx". The member `value` of a port may be omitted: "out.vx".
     Expected<TreeNode> find(std::string_view path) const;
     /// One step of `find`.
     Expected<TreeNode> step(std::string_view name) const;
     enum class Called : std::uint8_t { either, no, yes };
-    /// The names of the children that are called (methods, commands), of the others, or of all. Those of a component, a
-    /// port and a truth are sorted. Elements of lists have no names.
+    /// The names of the children: `yes`: only of methods and commands, `no`: only of the others, `either`: of all. The
+    /// names of a component, a port and a truth are sorted. Elements of lists have no names.
     std::vector<std::string> children(Called called = Called::either) const;
 
-    /// Its present value. An error if it is unknown, such as the truth about a real robot.
+    /// The present value. An error if the value is unknown, such as the truth about a real robot.
     Expected<NodeValue> value(const PlainLimit& limit = {}) const { return value_of(part_, limit); }
-    /// The present value of the node at a path below that has only fields and elements, "position.x" of a value: as
-    /// fast as if that node were known. Nothing if there is none.
+    /// The present value at a path of fields and elements below this node ("position.x"), without making nodes. Nothing
+    /// if there is none.
     Expected<NodeValue> value_at(std::string_view path) const { return value_of(join_path(part_, path), {}); }
-    /// Whether all names below are of fields and elements of its value.
+    /// Whether all names below are fields and elements of the node's value.
     bool is_value() const { return kind() == Kind::value || kind() == Kind::truth || kind() == Kind::parameter; }
 
     /// The child with this name, a parameter that can be set; or an error.
@@ -90,7 +90,7 @@ public:
     SetParameter set(Value value) const;
 
     const System& system() const { return *system_; }
-    // nullptr if it does not belong to one.
+    // What the node belongs to; nullptr if there is none.
     const Component* component() const { return component_; }
     const Robot* robot() const { return dynamic_cast<const Robot*>(component_); }
     const Port* port() const { return port_; }
@@ -114,8 +114,8 @@ private:
     const MemberInfo* member_ = nullptr;  // of the port, if there is a port
     const Parameters::Parameter* parameter_ = nullptr;
     const CommandDeclaration* command_ = nullptr;
-    std::string part_{};               // of the value
-    const Type* part_type_ = nullptr;  // of the part, if it was found by its type
+    std::string part_{};               // path in the value
+    const Type* part_type_ = nullptr;  // type of the part, if known without reading
 };
 
 }  // namespace nezumi

@@ -43,7 +43,7 @@ Read of_port(const TreeNode& node, const PlainLimit& /*limit*/) {
     return to_node_value(read(*node.port()));
 }
 
-/// Nothing for an empty text.
+/// The text as a value; nothing for an empty text.
 inline NodeValue text_if_any(const std::string& text) { return text.empty() ? NodeValue{} : NodeValue{Value{text}}; }
 
 }  // namespace nezumi::reads

@@ -1,4 +1,4 @@
-// Values of any type as CDR, by their tables.
+// Writes and reads values of any type as CDR, by the tables of their types.
 #include "engine/values/cdr.hpp"
 
 #include <fmt/format.h>
@@ -53,8 +53,8 @@ CdrTime to_cdr_time(double seconds) {
 }
 
 double to_seconds(const CdrTime& time) {
-    // Rounds once while a double holds all nanoseconds: 104 days, less the 4 s that `nsec` may hold. Later a double is
-    // so coarse that rounding the fraction first makes no difference.
+    // Up to 104 days (less the 4 s that `nsec` may hold), a double holds all nanoseconds exactly, so there is only one
+    // rounding. Later times are so coarse that rounding the fraction first makes no difference.
     constexpr std::uint32_t exact = (std::uint64_t{1} << 53) / nanoseconds - 5;
     if (time.sec < exact) {
         return static_cast<double>(std::uint64_t{time.sec} * nanoseconds + time.nsec) / nanoseconds;
@@ -212,7 +212,8 @@ void CdrReader::read_any(Value& value) {
     if (place == nullptr) return;
     const auto types = plain_types();
     if (*place >= types.size())
-        return fail(at_ - 1, fmt::format("expected a type from 0 to {}, got {}", types.size() - 1, *place));
+        return fail(at_ - 1,
+                    fmt::format("expected the number of a type, from 0 to {}, got {}", types.size() - 1, *place));
     value = Value(*types[*place].type);
     read(value);
 }

@@ -1,10 +1,11 @@
 // Messages and described structures as plain CDR, the wire format of CORBA and DDS (OMG CORBA 3.4 part 2, 9.3; XTypes
 // 1.3, 7.4.1).
 //
-// A number is aligned to its size, counted from the start of the stream. A boolean is one byte, a text its length
-// (with the final 0), its bytes and a 0, a sequence its length and its elements, an array its elements, a structure its
-// fields in order, a choice of an enumeration its place in 4 bytes, a value of any type its type's place among
-// `plain_types` in one byte and itself. What is written is a function of the value alone: padding is 0.
+// A number is aligned to its size, counted from the start of the stream. A boolean is one byte. A text is its length
+// (with the final 0) in 4 bytes, its bytes and a 0. A sequence is its length in 4 bytes and its elements. An array is
+// its elements, a structure its fields in order, a choice of an enumeration its index in 4 bytes. A value of any type
+// is the index of its type in `plain_types` in one byte, then the value. Padding is 0, so equal values give equal
+// bytes.
 #pragma once
 
 #include <bit>
@@ -29,10 +30,10 @@ struct CdrFormat {
     bool header = false;
 };
 
-/// A longer stream [bytes] is refused before it is read.
+/// The largest stream [bytes]. A larger one is refused before it is read.
 inline constexpr std::size_t most_cdr_bytes = std::size_t{64} << 20;
 
-/// A stamp in a stream: `RTC::Time` of OpenRTM-aist. A peer's `nsec` may be 10^9 or more.
+/// A stamp in a stream: `RTC::Time` of OpenRTM-aist. In streams of other programs, `nsec` may be 10^9 or more.
 struct CdrTime {
     std::uint32_t sec = 0;
     std::uint32_t nsec = 0;
@@ -43,7 +44,7 @@ struct CdrTime {
                                       Field{"nsec", &CdrTime::nsec, "ns", "the rest"}};
 };
 
-/// Rounds to the nearest nanosecond. Negative, too large or NaN values become the nearest end of the range.
+/// Rounds to the nearest nanosecond. Negative values and NaN become 0, too large values the largest time.
 CdrTime to_cdr_time(double seconds);
 /// The inverse: a number of seconds with at most 9 decimals comes back exactly.
 double to_seconds(const CdrTime& time);
@@ -76,7 +77,7 @@ public:
     CdrReader(std::span<const std::uint8_t> bytes, const CdrFormat& format);
 
     void read(const ValuePlace& value);
-    /// Whether there was no error, and only padding is left.
+    /// Returns the first error, or an error if more than padding is left.
     Expected<void> finish();
 
 private:
@@ -86,8 +87,8 @@ private:
     void read_numbers(std::size_t each, void* first, std::size_t count);
     /// Skips padding for alignment and returns the next `size` bytes, or null.
     const std::uint8_t* take(std::size_t alignment, std::size_t size);
-    /// Reads the length of a sequence; 0 if elements of at least `element_size` bytes do not fit in the remaining
-    /// bytes.
+    /// Reads the length of a sequence or text. An error, and 0, if so many elements of at least `element_size` bytes do
+    /// not fit in the remaining bytes.
     std::size_t read_length(std::size_t element_size);
     bool read_truth();
     void read_choice(const ValuePlace& value);

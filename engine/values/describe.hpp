@@ -45,8 +45,8 @@ struct NumberedFields<std::index_sequence<I...>, Each...> : FieldAt<I, Each>... 
 };
 }  // namespace detail
 
-/// The fields of a structure, in order; `apply(use)` returns use(field, field, ...). A `std::tuple` takes longer to
-/// compile: its constructors ask of each field what it converts to.
+/// The fields of a structure, in order; `apply(use)` returns use(field, field, ...). A `std::tuple` would take longer
+/// to compile, because its constructors check the conversions of each field.
 template <class... Each>
 struct FieldList : detail::NumberedFields<std::index_sequence_for<Each...>, Each...> {
     constexpr explicit FieldList(const Each&... each)
@@ -54,9 +54,10 @@ struct FieldList : detail::NumberedFields<std::index_sequence_for<Each...>, Each
     static constexpr std::size_t count = sizeof...(Each);
 };
 
-/// The description of a structure: a `FieldList` with the name `fields` in the structure that lists every member in
-/// order, and its name, or its `type_name` if the name outside C++ is different. For structures that files write as
-/// tables it is specialised beside the rules of the fields (engine/ports/setting.hpp).
+/// The description of a structure: its name and its fields. The fields are the static member `fields` of the structure,
+/// a `FieldList` of every member in order. The name is the static member `type_name`, or else the C++ name. For
+/// structures that files write as tables, `Describe` is specialised beside the rules of the fields
+/// (engine/ports/setting.hpp).
 template <class T>
 struct Describe;
 
@@ -72,8 +73,8 @@ concept Named = requires {
     { T::type_name } -> std::convertible_to<std::string_view>;
 };
 
-/// Whether the names of its members are the whole description: it has a `type_name` and no `fields`, or this is
-/// specialised beside it.
+/// Whether a structure is described only by the names of its members: it has a `type_name` and no `fields`, or this
+/// variable is specialised for it.
 template <class T>
 inline constexpr bool described_by_names = Named<T> && !Described<T>;
 

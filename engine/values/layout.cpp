@@ -1,4 +1,4 @@
-// Memory functions for types that are unknown to C++, by their tables.
+// Memory functions for types that are made at run time, by their tables.
 #include "engine/values/layout.hpp"
 
 #include <algorithm>

@@ -34,7 +34,7 @@ private:
     std::deque<Type> all_;
 };
 
-/// Sets the default value of a structure that was made here and is not used yet.
+/// Sets the default value of a structure that `Types` has made. Call it before the type is used.
 void set_initial(Type& type, Value value);
 
 }  // namespace nezumi

@@ -62,8 +62,9 @@ constexpr Member<M> member_at(const M& member) {
     return {&member};
 }
 
-// "... {(& nowhere<nezumi::Use>.nezumi::detail::Nowhere<nezumi::Use>::value.nezumi::Use::set)} ..." of g++,
-// "... {&nowhere.value.set}]" of clang.
+// The name of a member, from the function's name, which contains the following.
+// g++: "... {(& nowhere<nezumi::Use>.nezumi::detail::Nowhere<nezumi::Use>::value.nezumi::Use::set)} ...";
+// clang: "... {&nowhere.value.set}]".
 template <auto member>
 constexpr std::string_view text_of_member() {
     std::string_view text = __PRETTY_FUNCTION__;

@@ -1,5 +1,4 @@
-// Plain data of scripts, independent of any script: numbers, strings, booleans and tables of them, with their
-// shape.
+// Plain data of scripts, stored outside of the scripts: numbers, strings, booleans and tables of them.
 #pragma once
 
 #include <array>
@@ -33,7 +32,7 @@ struct PlainData {
 
     bool operator==(const PlainData&) const = default;
 
-    /// Adds an empty table.
+    /// Data with one value: an empty table.
     static PlainData empty_table() { return {.values = {TableRef{0}}, .tables = {{}}}; }
     /// Adds a table with these entries.
     TableRef add(Table table) {
@@ -44,8 +43,8 @@ struct PlainData {
     static constexpr std::string_view type_name = "PlainData";
 };
 
-/// The possible types of its values, with their names in files: nothing, boolean, int64, float64, text, the sequences
-/// of these, and `TableRef`.
+/// The possible types of values in plain data, with their names in files: nothing, boolean, int64, float64, text, the
+/// sequences of these, and `TableRef`.
 struct PlainType {
     std::string_view name;
     const Type* type;
@@ -69,7 +68,8 @@ struct PlainLimit {
     std::size_t text = std::size_t{1} << 16;  ///< [bytes] of keys and values
 };
 
-/// Copies a table breadth first, up to a limit: the tables from index `whole` on are empty in the copy.
+/// A copy of a table up to a limit, made breadth first. Only the first `whole` tables of the copy have their entries;
+/// the others are empty.
 struct PlainSnapshot {
     PlainData data;
     std::size_t whole = 0;

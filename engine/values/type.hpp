@@ -37,7 +37,7 @@ struct FieldLimits {
     bool operator==(const FieldLimits&) const = default;
 };
 
-/// A function for each element of a map with its name.
+/// A function that is called with each element of a map and its name.
 using EntryVisitor = std::function<void(const std::string& name, const void* element)>;
 
 /// Raw bytes: one value, a string in Lua.
@@ -81,11 +81,11 @@ struct Type {
         text,         ///< std::string
         octets,       ///< Octets
         structure,    ///< `fields`
-        array,        ///< `length` of `element`, without their number
-        sequence,     ///< any number of `element`
-        optional,     ///< one `element` or none
-        map,          ///< any number of `element` by name (`entries`)
-        any,          ///< Value: it contains its type
+        array,        ///< `length` elements of type `element`; the length is not stored in the value
+        sequence,     ///< any number of elements of type `element`
+        optional,     ///< one element of type `element`, or none
+        map,          ///< any number of elements of type `element`, each with a name (`entries`)
+        any,          ///< a `Value`, which contains its type
         other,        ///< a value without a description: known only by its address
     };
 
@@ -116,13 +116,13 @@ struct Type {
     /// Access to the elements of a map in memory.
     struct Entries {
         void (*for_each)(const void* map, const EntryVisitor& visit) = nullptr;  ///< in the order of their names
-        void* (*add)(void* map, const std::string& name) = nullptr;              ///< or returns the existing one
+        void* (*add)(void* map, const std::string& name) = nullptr;  ///< returns the new or the existing element
     };
 
     /// Constructs, copies and destroys a value in existing memory.
     struct Storage {
         void (*construct)(const Type& type, void* at) = nullptr;
-        void (*copy)(const Type& type, void* at, const void* from) = nullptr;  ///< begins as a copy
+        void (*copy)(const Type& type, void* at, const void* from) = nullptr;  ///< constructs a copy
         void (*assign)(const Type& type, void* to, const void* from) = nullptr;
         void (*destroy)(const Type& type, void* at) = nullptr;
     };
@@ -130,8 +130,8 @@ struct Type {
     Kind kind = Kind::other;
     std::string name{};                     ///< of a structure
     std::string doc{};                      ///< of a structure that a person writes as a table
-    std::vector<std::string_view> kinds{};  ///< of such a structure that comes in kinds: their names
-    std::size_t size = 0;                   ///< [bytes] in memory, without what it refers to
+    std::vector<std::string_view> kinds{};  ///< if such a structure has several kinds: their names
+    std::size_t size = 0;                   ///< [bytes] in memory, without the allocated memory of texts and sequences
     std::size_t alignment = 1;              ///< [bytes]
     std::vector<Field> fields{};
     const Type* element = nullptr;
@@ -141,7 +141,7 @@ struct Type {
     std::vector<std::string> choices{};  ///< of an enumeration, in order
     Storage storage{};
     bool is_flat = false;  ///< the value can be copied byte by byte
-    /// The default value, for a type made at run time.
+    /// The default value, if `set_initial` has set one (for a type made at run time); otherwise null.
     std::shared_ptr<const Value> initial{};
     /// The message type with this payload, if a file defines it.
     const MessageType* message = nullptr;
@@ -153,7 +153,7 @@ struct Type {
     bool is_number() const { return kind >= Kind::int8 && kind <= Kind::float64; }
     bool is_integer() const { return kind >= Kind::int8 && kind <= Kind::uint64; }
     bool is_floating() const { return kind == Kind::float32 || kind == Kind::float64; }
-    /// A number, boolean, choice or nothing: a few bytes without references to others.
+    /// A number, boolean, choice or nothing: a few bytes without allocated memory.
     bool is_scalar() const { return kind < Kind::text; }
     /// Whether the type has no parts.
     bool is_single() const { return kind < Kind::structure; }
@@ -228,7 +228,7 @@ Type::Elements elements_of() {
     return made;
 }
 
-// A field before the table of its type is made. The parts that depend on the type are small, so this compiles fast.
+// The data from which `add_fields` makes a field. Only this small part depends on the C++ type, so it compiles fast.
 struct FieldSeed {
     std::string_view name;
     std::size_t offset;
@@ -305,7 +305,7 @@ Type make_type() {
 
 }  // namespace detail
 
-/// A value with a run-time description. `Value` itself is excluded: it stands for its content.
+/// A value with a run-time description. `Value` itself is excluded: its type is that of its content.
 template <class T>
 concept Tabled = detail::kind_of<T>()
 < Type::Kind::any;

@@ -1,4 +1,4 @@
-// One writer, in two forms.
+// One writer makes both forms, exact and short.
 #include "engine/values/value_text.hpp"
 
 #include <fmt/format.h>

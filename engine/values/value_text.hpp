@@ -1,4 +1,4 @@
-// Values as texts: exactly as Lua reads them, or short for a person.
+// Values as texts: exact, so that Lua can read them, or short for a person.
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 
 namespace nezumi {
 
-/// A read-only reference to a value of any type. The value must outlive it.
+/// A read-only reference to a value of any type. The value must outlive the reference.
 struct ValueView {
     const Type* type;
     const void* at;
@@ -69,7 +69,7 @@ struct ValuePlace {
     }
     std::size_t count() const { return view().count(); }
     void* first() const { return const_cast<void*>(view().first()); }
-    /// Sets the default value.
+    /// Sets the value to the default of its type.
     void reset() const;
     /// For a sequence or an optional: sets the number of elements.
     void resize(std::size_t count) const { type->elements.resize(*type, at, count); }
@@ -97,7 +97,7 @@ void for_each_element(const ValueView& all, const Visit& visit) {
         if (!goes_on) return;
     }
 }
-/// Calls `visit` with elements that it may change.
+/// The same for elements that `visit` may change.
 template <class Visit>
 void for_each_element(const ValuePlace& all, const Visit& visit) {
     const std::size_t count = all.count();
@@ -124,7 +124,7 @@ void for_each_entry(const ValueView& map, const Visit& visit) {
     });
 }
 
-/// Calls `visit(number)` with a boolean or a number; `Any` is a `ValueView` or a `ValuePlace`.
+/// Calls `visit(number)` with the boolean or number to which `value` refers; `Any` is `ValueView` or `ValuePlace`.
 template <class Any, class Visit>
 decltype(auto) visit_number(const Any& value, const Visit& visit) {
     switch (value.type->kind) {

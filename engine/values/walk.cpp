@@ -65,7 +65,7 @@ std::size_t leaf_numbers(const ValueView& value, std::span<double> numbers,
     if (numbers.empty()) return 0;
     std::size_t count = 0;
     const auto add = [&](const ValueView& part) {
-        if (part.type->kind == Type::Kind::float64 && count < numbers.size()) {  // most are
+        if (part.type->kind == Type::Kind::float64 && count < numbers.size()) {  // the usual type
             numbers[count++] = part.as<double>();
         } else {
             count += leaf_numbers(part, numbers.subspan(count), of_text);
@@ -232,7 +232,7 @@ std::uint64_t mix_payload(std::uint64_t seed, const ValueView& value) {
         default:
             return visit_number(value, [&]<class T>(const T& number) {
                 if constexpr (std::is_floating_point_v<T>) {
-                    // The sign of NaN differs between processors.
+                    // The sign of NaN differs between processors, so all NaN count as the same.
                     constexpr std::uint64_t no_number = 0x7ff8000000000000;
                     const double wide = static_cast<double>(number) + 0.0;
                     return mix(seed, std::isnan(wide) ? no_number : std::bit_cast<std::uint64_t>(wide));

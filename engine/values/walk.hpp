@@ -42,7 +42,7 @@ using LeafVisitor = std::function<void(const LeafPath& path, const ValueView& le
 void visit_leaves(const ValueView& value, const LeafVisitor& visit, const LeafPath& path = {});
 
 /// Writes the leaves that `visit_leaves` visits as numbers, in order, until `numbers` is full: 0 and 1 for booleans,
-/// and what `of_text` returns for texts. Returns how many.
+/// and what `of_text` returns for texts. Returns how many were written.
 std::size_t leaf_numbers(const ValueView& value, std::span<double> numbers,
                          const std::function<double(const std::string& text)>& of_text);
 

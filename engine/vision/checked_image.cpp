@@ -19,8 +19,8 @@ struct Format {
     std::string_view name;
     int bits;
     int type;      // OpenCV's, of a pixel
-    int to_gray;   // OpenCV's conversion, or `none`: it is grey
-    int to_rgb;    // OpenCV's conversion, or `none`: it is red, green and blue, or grey
+    int to_gray;   // OpenCV's conversion, or `none`: the picture is grey
+    int to_rgb;    // OpenCV's conversion, or `none`: the picture is red, green and blue, or grey
     bool colored;  // has colours
 };
 // The names of sensor_msgs/image_encodings.hpp, and our own for grey.
@@ -74,7 +74,7 @@ Expected<Format> checked_format(const CameraImage& image) {
     return format;
 }
 
-// Whether this conversion of OpenCV leaves the pixels unchanged.
+// Whether the pixels can be used as they are: no conversion by OpenCV, and no 16-bit pixels.
 bool is_as_needed(const Format& format, int conversion) { return conversion == none && format.type != CV_16UC1; }
 
 // Converts the pixels with OpenCV to this number of channels.
@@ -106,7 +106,8 @@ Expected<CameraImage> decoded(const CameraImage& image) {
     if (!picture) return failure(fmt::format("a {} that can't be read: {}", image.format, picture.error().message));
     constexpr int most = std::numeric_limits<std::uint16_t>::max();
     if (picture->width > most || picture->height > most)
-        return failure(fmt::format("{} x {} pixels", picture->width, picture->height));
+        return failure(
+            fmt::format("{} x {} pixels: expected at most 65535 in each direction", picture->width, picture->height));
     CameraImage rgb{.width = static_cast<std::uint16_t>(picture->width),
                     .height = static_cast<std::uint16_t>(picture->height),
                     .bpp = 24,

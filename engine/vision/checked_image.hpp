@@ -26,13 +26,13 @@ struct ColorImage {
 /// "bgr8", "8UC3" (as "bgr8"), "rgba8", "bgra8", "yuv422_yuy2", "yuv422", or compressed as "jpeg" or "png", which
 /// OpenCV decodes; without a format 8 bits per pixel are grey and 24 red, green, blue. An error says what does not fit:
 /// no pixels, an unknown format, bits that are not the format's, or a number of bytes that is not width * height * bpp
-/// / 8. `memory` is used for the pixels: give an earlier picture's.
+/// / 8. The result's pixels reuse the buffer `memory`, such as that of an earlier picture.
 Expected<GrayImage> to_gray(const CameraImage& image, Octets memory = {});
 
-/// The colours of a picture; errors as of `to_gray`, and when it is grey.
+/// The colours of a picture. Errors as in `to_gray`; a grey picture is an error too.
 Expected<ColorImage> to_rgb(const CameraImage& image, Octets memory = {});
 
-/// The picture as JPEG, grey or in colours; errors as of `to_gray`. One that is JPEG already stays as it is.
+/// The picture as JPEG, grey or in colours. A JPEG picture is returned unchanged. Errors as in `to_gray`.
 Expected<JpegPicture> to_jpeg(const CameraImage& image);
 
 }  // namespace nezumi

@@ -23,7 +23,7 @@ template <class Seen>
 class ImageComponent : public Component {
 protected:
     /// A detection in one picture: called once, in a separate thread, while the component exists. Members of the
-    /// component that it uses must outlive it, so the component's destructor calls `finish`.
+    /// component that the task uses must outlive the task, so the component's destructor calls `finish`.
     using DetectionTask = std::function<Seen()>;
 
     /// `wait`: the result for the picture of time t is published at exactly t + latency (simulation), otherwise as soon
@@ -95,7 +95,7 @@ private:
         const auto seen = detection_.take(now(), wait_);
         if (!seen) return {};
         if (!*seen) return failure("the picture could not be searched: " + seen->error().message);
-        if (!fault_.empty() && !told_) log(LogLevel::warn, fault_ + ": nothing can be seen in it");
+        if (!fault_.empty() && !told_) log(LogLevel::warn, fault_ + ": the picture is not searched");
         told_ = !fault_.empty();
         publish(**seen);
         // The result is as old as the picture.
@@ -113,7 +113,7 @@ private:
     DelayedTask<Seen> detection_;
 };
 
-/// Makes the component `entry`, a `T`, for `Makers::components` in a simulation. An error if it has an `on`.
+/// Makes the component `entry`, a `T`, for `Makers::components` in a simulation. An error if `entry` has an `on`.
 template <class T>
 Expected<std::unique_ptr<Component>> make_image_component(const ComponentEntry& entry, System& system) {
     if (!entry.on.empty()) {

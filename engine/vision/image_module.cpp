@@ -46,7 +46,7 @@ bool decode(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
     const Quiet quiet;
     const cv::Mat file(1, static_cast<int>(size), CV_8UC1, const_cast<std::uint8_t*>(bytes));
-    // OpenCV applies a photograph's orientation only when it reads colours. JPEG has no alpha, so nothing is lost.
+    // With IMREAD_COLOR OpenCV turns a photograph upright, but drops alpha, which JPEG does not have.
     const bool is_jpeg = size > 2 && bytes[0] == 0xff && bytes[1] == 0xd8;
     const cv::Mat read = cv::imdecode(file, is_jpeg ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED);
     if (read.empty()) {
@@ -55,7 +55,7 @@ bool decode(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::
     }
     const cv::Mat pixels = to_bytes(read);
     if (pixels.channels() != 3 && pixels.channels() != 4) {
-        problem = cv::format("it has %d channels", pixels.channels());
+        problem = cv::format("it has %d channels, expected 1, 3 or 4", pixels.channels());
         return false;
     }
     picture = {pixels.cols, pixels.rows, {}};
@@ -84,7 +84,7 @@ template <class Call>
 bool caught(const Call& call, std::string& problem) {
     try {
         return call();
-    } catch (const cv::Exception& thrown) {  // an assertion of its has several lines
+    } catch (const cv::Exception& thrown) {  // OpenCV's assertions have several lines: the first is used
         problem = "OpenCV reports: " + thrown.err.substr(0, thrown.err.find('\n'));
     } catch (const std::exception& thrown) {
         problem = thrown.what();

@@ -39,7 +39,7 @@ double largest_turn(const std::vector<cv::Mat>& rotations) {
 std::optional<Corners> find_corners(const GrayImage& image, const BoardSize& board) {
     const cv::Mat gray(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
     std::vector<cv::Point2f> found;
-    // Not CALIB_CB_NORMALIZE_IMAGE: it finds no more boards, and takes ten times as long if there is none.
+    // CALIB_CB_NORMALIZE_IMAGE is not used: it finds no additional boards, and is ten times slower without a board.
     const int flags = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_FAST_CHECK;
     if (!cv::findChessboardCorners(gray, {board.columns, board.rows}, found, flags)) return std::nullopt;
     // The window must not reach the next corner.

@@ -26,7 +26,7 @@ std::optional<Blob> find_line(const GrayImage& image, const LineSettings& settin
     cv::GaussianBlur(whole.rowRange(first, image.height), part, {}, line_smoothing);
     const int side = settings.dark ? cv::THRESH_BINARY_INV : cv::THRESH_BINARY;
     cv::threshold(part, marked, 0, white, side | cv::THRESH_OTSU);
-    // There is always a best threshold, even for noise only: the two sides must differ enough.
+    // Otsu's method finds a threshold even in pure noise: so line and floor must also differ enough.
     const int count = cv::countNonZero(marked);
     if (count == 0 || count == mask.width * mask.height) return std::nullopt;
     const cv::Mat rest = ~marked;

@@ -1,4 +1,4 @@
-// The camera of a picture is determined in the tick; the tags are searched in another thread.
+// Determines the intrinsics of a picture in the tick, and searches tags in another thread.
 #include "engine/vision/marker_detector.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::vector<SeenMarker> markers_in(GrayImage& gray, TagFinder& finder, const Cam
     std::vector<SeenMarker> seen;
     for (FoundTag& tag : finder.find(gray, intrinsics, search.size)) {
         if (search.id >= 0 && tag.id != search.id) continue;
-        // A small tag looks nearly the same from the left and from the right, so its orientation would flip.
+        // A small tag looks nearly the same from the left and from the right: its orientation is unknown, so it is 0.
         if (tag.edge < search.yaw_from) tag.pose.orientation = {};
         seen.push_back({tag.id, tag.pose});
     }
@@ -106,7 +106,7 @@ Expected<CameraIntrinsics> MarkerDetector::intrinsics_for(const GrayImage& image
         if (told.width > 0)
             tell_unknown(
                 fmt::format("intrinsics: fx = {:g}: the camera is not calibrated. field_of_view = {:g} is used: set "
-                            "it, or fx, to the camera's, or calibrate it",
+                            "field_of_view or fx to the camera's value, or calibrate the camera",
                             told.fx, value<double>("field_of_view")));
         return own;
     }

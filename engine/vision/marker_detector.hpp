@@ -12,7 +12,7 @@ namespace nezumi {
 
 class MarkerDetector final : public ImageComponent<std::vector<SeenMarker>> {
 public:
-    /// `wait` as of `ImageComponent`.
+    /// `wait` as in `ImageComponent`.
     MarkerDetector(std::string name, bool wait);
     ~MarkerDetector() override { finish(); }  // the detection uses finder_ and picture_
 
@@ -31,7 +31,7 @@ private:
     GrayImage picture_;  // the picture being searched
     std::optional<TagFinder> finder_;
     std::string family_;
-    std::string told_;  // of unknown intrinsics
+    std::string told_;  // the last report of `tell_unknown`
 };
 
 }  // namespace nezumi

@@ -4,7 +4,7 @@
 namespace nezumi {
 
 /// From now on OpenCV works only in the calling thread, in the whole program: a picture uses one core, because
-/// behaviours need the others. Results do not depend on it. Returns true.
+/// behaviours need the others. Results do not depend on the number of threads. Returns true.
 bool use_one_thread();
 
 }  // namespace nezumi

@@ -30,14 +30,14 @@ constexpr Family known_families[] = {{"36h11", tag36h11_create, tag36h11_destroy
                                      {"25h9", tag25h9_create, tag25h9_destroy},
                                      {"16h5", tag16h5_create, tag16h5_destroy}};
 
-// Bits of a tag that may be wrong. Two cost 18 MB for 36h11 and find more tags where there are none.
+// Bits of a tag that may be wrong. Two cost 18 MB for 36h11 and find more false tags.
 constexpr int forgiven_bits = 1;
 // Quads are searched at half the resolution: four times as fast, and the edges are refined in the full picture.
 constexpr float decimation = 2;
 // AprilTag's coordinates start at the corner of the first pixel, those of intrinsics at its centre.
 constexpr double pixel_offset = 0.5;
-// A noisy picture has thousands of edges, and finding tags takes twenty times as long. So it is smoothed by this number
-// of pixels, and only larger steps between grey values count (AprilTag's default: 5).
+// A noisy picture has thousands of edges, which makes finding tags twenty times slower. So pictures are smoothed by
+// this number of pixels, and only larger steps between grey values count (AprilTag's default: 5).
 constexpr double tag_smoothing = 0.8;
 constexpr int least_contrast = 25;
 // [px] The smallest picture: AprilTag's tiles and its halved picture need some room.
@@ -62,7 +62,7 @@ struct CameraPose {
 };
 std::optional<CameraPose> pose_of(const apriltag_detection_t& tag, const CameraIntrinsics& c, double size) {
     const double h = size / 2;
-    // The order of the corners in IPPE and in AprilTag.
+    // The corners, in the order that both IPPE and AprilTag use.
     const std::array<cv::Point3d, 4> corners{{{-h, h, 0}, {h, h, 0}, {h, -h, 0}, {-h, -h, 0}}};
     std::array<cv::Point2d, 4> seen;
     for (std::size_t i = 0; i < 4; ++i) seen[i] = {tag.p[i][0] - pixel_offset, tag.p[i][1] - pixel_offset};

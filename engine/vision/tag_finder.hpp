@@ -18,7 +18,7 @@ struct FoundTag {
     double edge = 0;  ///< [px] mean edge of its black border in the picture
 };
 
-/// Not thread-safe.
+/// Finds tags of one family. Not thread-safe.
 class TagFinder {
 public:
     /// The names of the families: "36h11", "25h9", "16h5".

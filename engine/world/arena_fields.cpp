@@ -1,4 +1,4 @@
-// Meaning of an arena's fields.
+// Checks and conversions of an arena's fields.
 #include "engine/world/arena_fields.hpp"
 
 #include <fmt/format.h>

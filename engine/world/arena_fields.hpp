@@ -35,12 +35,12 @@ struct WallSpec {
 
 BoxSpec box_of(const WallSpec& wall);
 
-/// Converts the name of a colour to "#rrggbb", and accepts "#rrggbb"; returns what was expected for any other text, or
-/// "".
+/// Replaces the name of a colour by "#rrggbb", and leaves "#rrggbb" unchanged. Returns "", or the error for any other
+/// text.
 std::string adopt_color(std::string& text);
-/// Accepts letters, digits and underscores; returns what was expected for any other text, or "".
+/// Accepts a Lua identifier: letters, digits and underscores, no keyword. Returns "", or the error for any other text.
 std::string adopt_identifier(std::string& text);
-/// Checks all numbers of an arena by the rules below, also if it comes from a map or a program.
+/// Checks all numbers of an arena by the rules below, whether it comes from a system file, a map or a program.
 Expected<void> check_arena(const ArenaSpec& arena);
 
 template <>

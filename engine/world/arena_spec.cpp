@@ -1,4 +1,4 @@
-// Things have no names, so they are numbered.
+// Boxes and cylinders have no names in a system file, so they are numbered.
 #include "engine/world/arena_spec.hpp"
 
 #include <fmt/format.h>

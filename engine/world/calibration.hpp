@@ -1,4 +1,4 @@
-// The measured properties of one robot, which differ from its model: from `nezumi calibrate`, stored in a file.
+// The measured parameters of one robot, which may differ from its model. `nezumi calibrate` writes them into a file.
 #pragma once
 
 #include <functional>
@@ -29,17 +29,17 @@ struct RangeCalibration {
 };
 
 struct Calibration {
-    std::string robot;          ///< its name in the system
-    std::string model;          ///< that it was measured with
-    std::string serial;         ///< of its computer; "": not known
-    WheelCalibration odometry;  ///< as long as it is there
+    std::string robot;          ///< name of the robot in the system
+    std::string model;          ///< robot model that was used in the measurement
+    std::string serial;         ///< serial number of the robot's computer; "": unknown
+    WheelCalibration odometry;  ///< used only if `odometry.is_there()`
     std::vector<RangeCalibration> ranges;
-    std::map<std::string, CameraIntrinsics, std::less<>> cameras;  ///< its cameras, by name in the system
+    std::map<std::string, CameraIntrinsics, std::less<>> cameras;  ///< by the camera's name in the system
 };
 
-/// Changes the description of a model to that of the robot. With a calibrated odometry, the limits of the hardware are
-/// those of the model. An error if a sensor does not exist, or if its points make no table. Cameras are components, so
-/// they are not part of the model.
+/// Replaces parameters of a robot model by the measured ones. If the odometry is calibrated, the limits on hardware
+/// become those in simulation. An error if a measured wheel parameter is not plausible, if a sensor does not exist, or
+/// if its points do not form a table. Cameras are not changed here: they are components, not part of the model.
 Expected<void> apply(const Calibration& calibration, RobotSpec& spec);
 
 template <>
@@ -71,8 +71,10 @@ struct Describe<Calibration> {
     static constexpr std::string_view doc = "The measured parameters of one robot, in `ROBOT.calibration.lua`.";
     static constexpr FieldList fields{
         Setting{"robot", &Calibration::robot, "", "its name in the system", {.required = true}},
-        Setting{"model", &Calibration::model, "", "that it was measured with", {.required = true}},
-        Setting{"serial", &Calibration::serial, "", "number of its computer: on another one the file is refused"},
+        Setting{
+            "model", &Calibration::model, "", "the robot model that was used in the measurement", {.required = true}},
+        Setting{"serial", &Calibration::serial, "",
+                "serial number of the robot's computer; another computer refuses the file"},
         Setting{"odometry", &Calibration::odometry, "", "its wheels, from `nezumi calibrate odometry`"},
         Extra{"sensors",
               "table<string, { table: number[][] }>",

@@ -17,7 +17,7 @@ CameraIntrinsics pinhole(int width, int height, double field_of_view);
 
 /// Settings of a camera.
 struct CameraSettings {
-    std::string device;  ///< of a real camera; "" for the first
+    std::string device;  ///< device of a real camera; "": the first one found
     int width = 640;     ///< [px]
     int height = 480;    ///< [px]
     double frame_rate = 30;
@@ -34,13 +34,13 @@ struct CameraSettings {
 
     /// The intrinsics of the raw pictures: by size and field of view, or by `fx` to `cy`, with distortion.
     CameraIntrinsics raw_intrinsics() const;
-    /// The intrinsics of the published pictures: the raw ones, without distortion if it is removed.
+    /// The intrinsics of the published pictures: the raw ones, but without distortion if `undistort` is set.
     CameraIntrinsics intrinsics() const;
 };
 
 /// The position of a camera. Camera and body frame have x forward, y left, z up.
 struct CameraMount {
-    std::string robot;  ///< that carries it; "": it stands in the arena
+    std::string robot;  ///< robot that carries the camera; "": the camera stands in the arena
     Point3D at{};       ///< [m] in the robot's body frame, or in the world
     double yaw = 0;     ///< [rad]
     double pitch = 0;   ///< [rad] after the yaw; positive looks down
@@ -50,9 +50,9 @@ struct CameraMount {
 class CameraSource {
 public:
     virtual ~CameraSource() = default;
-    /// Intrinsics of all its pictures; unknown if `fx` is 0.
+    /// Intrinsics of all pictures of this source; unknown if `fx` is 0.
     virtual CameraIntrinsics intrinsics() const = 0;
-    /// Whether it is a device that takes pictures on its own. Then `expose` is called in every tick, and `develop` is
+    /// Whether this is a device that takes pictures by itself. Then `expose` is called in every tick, and `develop` is
     /// fast.
     virtual bool is_device() const { return false; }
     /// Stores the present view; fast, in the ticking thread. Returns the time [s] of the picture: now in a simulation;

@@ -1,4 +1,4 @@
-// Makes squares one by one, with a ring of white ones around them.
+// Makes a thin box for each square, and a ring of white squares around the board.
 #include "engine/world/chessboard.hpp"
 
 #include <cmath>
@@ -25,7 +25,7 @@ std::vector<BoxSpec> chessboard(const ChessboardSpec& spec) {
 
 CameraMount view_of_chessboard(const ChessboardSpec& spec, int number) {
     constexpr double pi = std::numbers::pi;
-    // Angles that don't repeat: the golden angle around the board, others for tilt.
+    // Steps of the golden angle never repeat a direction around the board. Elevations and distances alternate.
     const double around = number * pi * (3 - std::sqrt(5.0));
     const double elevation = (45 + 13 * (number % 4)) * pi / 180;
     const double length = (spec.columns + 1) * spec.square;

@@ -11,7 +11,7 @@ namespace nezumi {
 struct ChessboardSpec {
     int columns = 9, rows = 6;  ///< inner corners along x and along y
     double square = 0.025;      ///< [m] edge of a square
-    Point2D at{3, 0};           ///< [m] its centre
+    Point2D at{3, 0};           ///< [m] centre of the board
     bool operator==(const ChessboardSpec&) const = default;
 };
 

@@ -1,4 +1,4 @@
-// Maps in CSV files: one fixed box a row.
+// Reads maps in CSV files: each row is a fixed box.
 #include "engine/world/csv_map.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ std::vector<std::string> fields_of(std::string_view row) {
     return fields;
 }
 
-// The column of each number of a box in a row.
+// The index of the column for each number of a box, in the order of `columns`.
 using Order = std::array<std::size_t, columns.size()>;
 constexpr Order usual_order{0, 1, 2, 3, 4, 5, 6};
 
@@ -117,7 +117,7 @@ Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
         }
         auto box = read_row(fields, order, place);
         if (!box) {
-            // A row with decimal commas has enough commas, so it is tested here.
+            // A row with decimal commas can have enough columns, so its separator is checked here too.
             const std::string separator = other_separator(line);
             return separator.empty() ? Unexpected(box.error()) : no_box(separator, place);
         }

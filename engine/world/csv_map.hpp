@@ -1,4 +1,4 @@
-// Reads maps of existing simulators.
+// Reads CSV maps of existing simulators.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct CsvMap {
 /// Reads a map. The first line is a header, in any language and encoding. If it contains all of the columns
 /// `x,y,z,lx,ly,lz,yaw` (centre [m], size [m], yaw [rad]), they are found by their names; otherwise the first seven
 /// columns are used in this order. Each row is a fixed box; further columns are ignored. Skips comments (#), empty
-/// lines and rows with fewer columns. An error if no row is a box; it says how columns are separated. If a quote in a
+/// lines and rows with fewer columns. An error if no row is a box; the error names a wrong separator. If a quote in a
 /// row is not closed, only the columns before it count; an error if the row would be a box without quotes. Errors have
 /// `file`, line, column and what was found.
 Expected<CsvMap> read_map(std::string_view text, const std::string& file);

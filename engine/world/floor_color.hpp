@@ -9,7 +9,7 @@ namespace nezumi {
 /// 0xRRGGBB.
 using Rgb = std::uint32_t;
 
-/// In the order of the codes of the EV3.
+/// The values are the colour codes of the EV3's colour sensor, 0 to 7.
 enum class FloorColor { none, black, blue, green, yellow, red, white, brown };
 
 /// "none", "black", ...

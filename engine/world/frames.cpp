@@ -1,4 +1,4 @@
-// The order of the additions affects every trace hash.
+// Don't reorder the additions: their rounding affects every trace hash.
 #include "engine/world/frames.hpp"
 
 #include <cmath>

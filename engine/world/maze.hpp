@@ -43,7 +43,7 @@ struct MazeCell {
 enum class MazeSide { east, north, west, south };
 inline constexpr MazeSide maze_sides[] = {MazeSide::east, MazeSide::north, MazeSide::west, MazeSide::south};
 
-/// The cell beside it, which may lie outside of the maze.
+/// The neighbour of a cell on this side, which may lie outside of the maze.
 MazeCell beside(MazeCell cell, MazeSide side);
 
 class Maze {
@@ -57,22 +57,24 @@ public:
     bool has(MazeCell cell) const {
         return cell.column >= 0 && cell.column < columns_ && cell.row >= 0 && cell.row < rows_;
     }
-    /// The wall of a cell of the maze.
+    /// Whether a cell of the maze has a wall on this side.
     bool is_wall(MazeCell cell, MazeSide side) const;
     void set_wall(MazeCell cell, MazeSide side, bool stands);
 
-    /// What the drawing marks.
+    /// The cells that the drawing marks with S and G.
     std::optional<MazeCell> marked_start;
     std::vector<MazeCell> marked_goals;
     /// The marked start, or the south-west cell.
     MazeCell start() const { return marked_start.value_or(MazeCell{}); }
-    /// The marked goals, or those in the middle: 4, 2 or 1, as the numbers of columns and rows are even or odd.
+    /// The marked goals, or else the cells in the middle: 4, 2 or 1 cells, because the numbers of columns and rows can
+    /// be even or odd.
     std::vector<MazeCell> goals() const;
-    /// Where the mouse looks at the start: north if that side is open, else the first open side.
+    /// The direction of the mouse at the start: north if there is no wall, else the first side without a wall (east,
+    /// south, west).
     MazeSide start_side() const;
 
-    /// Whether something stands in the lattice: posts and walls have even columns or rows, counted from the north-west
-    /// corner; both are odd for cells.
+    /// Whether there is a post or a wall at this place of the lattice. Columns and lines count from the north-west
+    /// corner: both are even for a post, one is even for a wall, none for a cell.
     bool stands(int column, int line) const { return lattice_[index(column, line)]; }
     void set(int column, int line, bool stands) { lattice_[index(column, line)] = stands; }
     bool operator==(const Maze&) const = default;
@@ -86,10 +88,10 @@ private:
     std::vector<bool> lattice_;
 };
 
-/// The same plan gives the same maze. Made by depth-first search.
+/// Generates a maze by depth-first search. The same plan gives the same maze.
 Maze generate_maze(const MazePlan& plan);
 
-/// What is wrong with a drawing; `row` counts from 1, 0 for the whole.
+/// An error in a drawing; `row` counts from 1, and 0 means the whole drawing.
 struct MazeProblem {
     std::string text;
     std::size_t row = 0;
@@ -101,16 +103,16 @@ struct MazeProblem {
 ///     o   o---o
 ///     | S |   |
 ///     o---o---o
-/// The first row's posts show how many characters wide a cell is: 4 in the drawings of contests, 2 or more. Posts may
-/// be any sign, or blanks. S and G mark start and goals, in lower case too; other letters and digits in cells mean
-/// nothing. Blanks at the end of a row may be missing, all rows may be indented, tabs reach to the next cell, rows may
-/// end with CR.
+/// The distance of posts in the first row is the width of a cell: at least 2 characters, in drawings of contests 4.
+/// Posts may be any character, or blanks. S and G mark start and goals, in lower case too; other letters and digits in
+/// cells are ignored. Blanks at the end of a row may be missing, all rows may be indented, tabs reach to the next cell,
+/// rows may end with CR.
 tl::expected<Maze, MazeProblem> read_drawing(std::vector<std::string> rows);
 
-/// The drawing of contests, with this sign for the posts.
+/// Draws a maze as in contests, with this character for the posts.
 std::vector<std::string> draw_maze(const Maze& maze, char post = 'o');
 
-/// Walls in one line are one box; a post without walls is a box.
+/// The boxes of a maze: connected walls in one line are one box, and a post without walls is a box.
 std::vector<BoxSpec> walls_of(const Maze& maze, const MazeSpec& spec);
 
 }  // namespace nezumi

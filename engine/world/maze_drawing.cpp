@@ -12,11 +12,11 @@
 namespace nezumi {
 namespace {
 
-constexpr std::size_t usual_characters = 3;       // of a cell and a post, where the first row does not tell
-constexpr std::size_t contest_characters = 4;     // as in the drawings that contests exchange
+constexpr std::size_t usual_characters = 3;       // width of a cell with one post, if the first row does not show it
+constexpr std::size_t contest_characters = 4;     // the same in drawings of contests
 constexpr std::string_view walls_across = "-=_";  // a horizontal wall consists of one of these
 
-// Rows without what editors and other systems add: a byte order mark, CR, tabs, blanks at the end, indentation.
+// Removes a byte order mark, CR, blanks at the end and the common indentation, and replaces tabs by blanks.
 void tidy(std::vector<std::string>& rows) {
     if (!rows.empty() && rows.front().starts_with("\xef\xbb\xbf")) rows.front().erase(0, 3);
     std::size_t indented = std::string::npos;
@@ -40,7 +40,7 @@ public:
     Drawing(const std::vector<std::string>& rows, std::size_t characters, char post)
         : rows_(rows), characters_(characters), post_(post) {
         width_ = rows.front().size();
-        // A first row with blank posts ends before the last one.
+        // If posts are blanks, the last post of the first row is missing: the longest row gives the width.
         if (post == ' ') {
             for (const std::string& row : rows) width_ = std::max(width_, row.size());
         }
@@ -78,7 +78,7 @@ public:
                 if (column % 2 == 1 && line % 2 == 1) {
                     mark(maze, drawn, {column / 2, maze.rows() - 1 - line / 2});
                 } else {
-                    // Blank posts are posts where no post is drawn.
+                    // In a drawing with blank posts, each blank in place of a post is a post.
                     maze.set(column, line, !is_blank || (post_ == ' ' && column % 2 == 0 && line % 2 == 0));
                 }
             }
@@ -98,7 +98,7 @@ private:
         return fmt::format("\"{}\" or blanks", line % 2 == 0 ? std::string(characters_ - 1, '-') : "|");
     }
     bool is_post(char sign) const { return sign == post_ || sign == '-' || sign == '|'; }
-    // A wall fills its place, or stands in its middle.
+    // Whether these characters are a horizontal wall: as wide as the cell, or shorter in the middle.
     bool is_across(std::string_view drawn) const {
         const char sign = drawn[drawn.size() / 2];
         const auto end = drawn.find_last_not_of(' '), begin = drawn.find_first_not_of(' ');
@@ -140,7 +140,7 @@ tl::expected<Maze, MazeProblem> read_drawing(std::vector<std::string> rows) {
         const bool tells = second != std::string::npos && second >= 2;
         return Drawing(rows, tells ? second : usual_characters, first.front()).read();
     }
-    // Blank posts do not tell how wide a cell is.
+    // Blank posts do not show the width of a cell: tries 4, 3 and 2 characters.
     auto read = Drawing(rows, contest_characters, ' ').read();
     for (const std::size_t characters : {usual_characters, std::size_t{2}}) {
         if (read) break;

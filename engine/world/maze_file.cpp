@@ -65,7 +65,7 @@ std::optional<std::array<int, 6>> numbers_of(std::string_view line) {
 // The walls of each cell, in the order of `written_sides`.
 using CellWalls = std::map<std::pair<int, int>, std::array<bool, 4>>;
 
-// The maze of walls that are given twice, once for each of two neighbours.
+// Makes a maze. Each wall between two cells is given twice, once for each cell: an error if the two differ.
 tl::expected<Maze, std::string> maze_of(const CellWalls& walls, int columns, int rows) {
     Maze maze(columns, rows, false);
     for (const auto& [place, stands] : walls) {
@@ -87,12 +87,13 @@ tl::expected<Maze, std::string> maze_of(const CellWalls& walls, int columns, int
 Expected<Maze> read_bytes(std::string_view content, const std::string& file) {
     const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(content.size()))));
     if (static_cast<std::size_t>(side * side) != content.size() || side > most_maze_cells) {
-        return failure(fmt::format("expected a drawing of a maze, or a byte for each cell, as in a .maz file of 256 "
-                                   "bytes, got {} bytes that are not text",
-                                   content.size()),
-                       {file, 0});
+        return failure(
+            fmt::format("expected a drawing of a maze, or a byte for each cell of a square maze, such as 256 "
+                        "bytes for 16 x 16 cells (a .maz file), got {} bytes that are not text",
+                        content.size()),
+            {file, 0});
     }
-    // Columns come first; a file with rows first is recognized by walls that fit only in this order.
+    // Tries the order column by column, then row by row: in the wrong order, the walls of neighbours contradict.
     std::string problem;
     for (const bool rows_first : {false, true}) {
         CellWalls walls;
@@ -140,7 +141,7 @@ Expected<Maze> read_numbers(const std::vector<Line>& lines, const std::string& f
     return *maze;
 }
 
-// Whether a line can be one of a drawing. Titles and comments are not.
+// Whether a line can be a row of a drawing, not a title or a comment.
 bool is_drawn(std::string_view line) {
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string_view::npos) return false;
@@ -160,7 +161,7 @@ Expected<Maze> read_drawn(const std::vector<Line>& lines, const std::string& fil
                                        "with \"|\"",
                        {file, 0});
     }
-    // A row without a wall in the west, or without any: what follows it is drawn.
+    // Empty rows and rows that begin with a blank are part of the drawing if a drawn row follows.
     auto end = begin + 1;
     for (auto at = begin + 1; at != lines.end(); ++at) {
         const bool is_open =

@@ -12,15 +12,14 @@ namespace nezumi {
 
 /// Reads a maze from the content of a file with any name:
 /// - a drawing, as `read_drawing` reads it. Text before and after it is ignored.
-/// - 256 bytes (16 x 16 cells) or another square number: a byte for each cell, columns from the west, each from the
-/// south.
+/// - bytes, one for each cell of a square maze (256 for 16 x 16 cells), by columns from the west, each from the south.
 ///   The bits 1, 2, 4 and 8 are walls in the north, east, south and west.
 /// - numbers, a line for each cell: "X Y N E S W", cells from 0 in the south-west, 1 for a wall.
-/// Errors have `file`, the line where there is one, what was found and what was expected. Two cells that disagree about
+/// Errors have `file`, the line if there is one, what was found and what was expected. Two cells that disagree about
 /// the wall between them are an error.
 Expected<Maze> read_maze(std::string_view content, const std::string& file);
 
-/// The formats that are written.
+/// The formats that `write_maze` can write.
 enum class MazeFormat {
     contest,  ///< a drawing with posts `o`
     map,      ///< a drawing with posts `+`

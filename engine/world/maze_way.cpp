@@ -1,4 +1,4 @@
-// Searches states of cell and direction: a step costs a cell, and a turn a little.
+// Searches states of cell and direction. A step costs more than all turns, so turns count only between equal lengths.
 #include "engine/world/maze_way.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ public:
         }
     }
 
-    // The cheapest state in a cell, or -1.
+    // The cost of the cheapest state in a cell, or -1 if the cell can't be reached.
     int cost(MazeCell cell) const {
         int best = -1;
         for (const MazeSide side : maze_sides) {

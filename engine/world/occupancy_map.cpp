@@ -44,7 +44,7 @@ double white_of(std::string_view bytes) {
     return usual;
 }
 
-// From 0, black, to 1.
+// The brightness of each pixel, from 0 (black) to 1 (white).
 std::vector<double> light_of(const Picture& picture, double white) {
     constexpr int channels = 3;
     std::vector<double> light;

@@ -1,4 +1,4 @@
-// Occupancy maps of ROS: a picture whose pixels say what is occupied, and a YAML file that says where it lies.
+// Occupancy maps of ROS: a picture of the occupied places, and a YAML file with the picture's scale and origin.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct OccupancyFacts {
     Place image_place;        ///< where the YAML file names it
     double resolution = 0;    ///< [m] edge of a pixel
     Pose2D origin;            ///< of the lower left corner of the picture
-    bool negate = false;      ///< white is occupied
+    bool negate = false;      ///< true: white is occupied
     double threshold = 0.65;  ///< pixels with a larger part of black are occupied (`occupied_thresh`)
     Mode mode = Mode::trinary;
 };
@@ -39,8 +39,8 @@ inline constexpr double occupancy_height = 0.1;  ///< [m] default height of the 
 /// Reads the YAML file and ignores other keys. Errors have `file` and the line.
 Expected<OccupancyFacts> read_occupancy_facts(std::string_view text, const std::string& file);
 
-/// Reads the picture, in any format of OpenCV. Errors name its `file`. The boxes get this height [m] and the place of
-/// the caller.
+/// Reads `picture`, the content of a file in any format of OpenCV. Errors have `file`. The boxes get `height` [m] and
+/// `place`.
 Expected<OccupancyMap> read_occupancy(const OccupancyFacts& facts, std::string_view picture, const std::string& file,
                                       double height, const Place& place);
 

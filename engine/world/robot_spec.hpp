@@ -42,9 +42,9 @@ struct DriveSpec {
     double skid = 0.04;                   ///< [m] distance of the skids from the axis
     bool coasts_until_commanded = false;  ///< the wheels roll freely until the first command after activation
     Limits limits{};                      ///< in simulation
-    Limits hardware_limits{};             ///< on hardware, until it is calibrated
+    Limits hardware_limits{};             ///< on hardware, until the odometry is calibrated
     std::vector<std::string> needs;       ///< sensors that must work, or the robot does not drive
-    std::vector<std::string> port;        ///< of the real left motor and the right one; empty: the driver's defaults
+    std::vector<std::string> port;        ///< devices of the real left and right motor; empty: the driver's defaults
 
     /// Pulses per turn of a wheel in a `RobotBody`; a continuous encoder has steps of less than 0.4 urad.
     double encoder_pulses() const { return pulses_per_turn > 0 ? pulses_per_turn : 1 << 24; }
@@ -71,7 +71,7 @@ public:
     /// Values at 0, h, 2h, ... range (at least two, all finite); `nothing` is the value without an object in sight.
     static ResponseTable from_samples(std::vector<double> samples, double range, double nothing);
 
-    /// This sensor with other points. `nothing` and the limits stay, unless the points are beyond them. Errors as in
+    /// This table with other points. `nothing` and the limits stay, unless the points are beyond them. Errors as in
     /// `from_points`.
     Expected<ResponseTable> with_points(std::vector<Point> points, double range) const;
 
@@ -130,9 +130,9 @@ struct SensorSpec {
     double acceleration_noise = 0;  ///< imu: [m/s^2] standard deviation of its accelerations
     double drift = 0;               ///< gyro: [rad/s]
     double max_rate = 0;            ///< gyro: [rad/s] largest rate; 0: no limit
-    double travel = 0;              ///< touch: [m] until it closes
-    double level = 0;               ///< ambient: of the simulated room, 0 to 100
-    double radius = 1;              ///< neighbours: [m] it sees no farther
+    double travel = 0;              ///< touch: [m] way that it is pushed in until it closes
+    double level = 0;               ///< ambient: light of the simulated room, 0 to 100
+    double radius = 1;              ///< neighbours: [m] largest distance at which it sees robots
     double bearing_noise = 0;       ///< neighbours: [rad] standard deviation of its bearings
     double loss = 0;                ///< neighbours: probability that it misses a robot, each time
     std::string on;                 ///< the actuator that carries it, or "" for the hull
@@ -147,7 +147,7 @@ struct ScanAngles {
     double step = 0;   ///< [rad] from each ray to the next, counter-clockwise
 };
 
-/// In a full turn the last ray is beside the first, not the same. `scan.rays` is at least two.
+/// The angles of a scan with at least two rays. In a full turn, the last ray is one step from the first, not on it.
 inline ScanAngles angles_of(const SensorSpec& scan) {
     const bool is_closed = scan.cone > 2 * std::numbers::pi - 1e-6;
     return {-scan.cone / 2, scan.cone / (is_closed ? scan.rays : scan.rays - 1)};
@@ -170,9 +170,9 @@ struct ActuatorSpec {
 struct PortSpec {
     std::string name;
     bool is_input = false;
-    std::string type;  ///< name of a message type
-    std::vector<std::string>
-        items;  ///< what it carries: sensors' or an actuator's names, or one of "velocity", "odometry", "drive"
+    std::string type;                ///< name of a message type
+    std::vector<std::string> items;  ///< what it carries: sensors' or an actuator's names, or one of "velocity",
+                                     ///< "odometry", "stalled", "drive", "say"
     enum class Quantity { value, distance, rate, acceleration } quantity = Quantity::value;
     double rate = 0;               ///< [Hz] of an out-port; 0: every tick
     std::uint32_t queue = 0;       ///< length of an in-port's queue; 0: the latest value
@@ -183,7 +183,7 @@ struct PortSpec {
 /// A device that the script of a robot's driver speaks to: `line = serial { ... }`.
 struct DeviceSpec {
     std::string name;
-    std::string type;        ///< of the component that is made of it: "Serial"
+    std::string type;        ///< of the component that is made for the device: "Serial"
     ParameterValues config;  ///< of this component
     Place place;
 };

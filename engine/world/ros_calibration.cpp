@@ -1,4 +1,4 @@
-// Reads only the keys that an undistorted picture needs.
+// Reads only the size, the camera matrix and the distortion.
 #include "engine/world/ros_calibration.hpp"
 
 #include <fmt/format.h>

@@ -14,22 +14,24 @@ Pose3D World::pose(RobotId robot) const {
 }
 
 Expected<void> World::move_thing(std::string_view name, const Pose2D& /*pose*/) {
-    return failure(fmt::format("there is no thing '{}' that could be moved here", shown(name)));
+    return failure(fmt::format("there is no thing '{}' that can be moved in this world", shown(name)));
 }
 
 Expected<void> World::move_marker(std::string_view name, const Pose3D& /*pose*/) {
-    return failure(fmt::format("there is no marker '{}' that could be moved here", shown(name)));
+    return failure(fmt::format("there is no marker '{}' that can be moved in this world", shown(name)));
 }
 
-Expected<void> World::add_marker(const MarkerSpec& /*marker*/) { return failure("markers can't be added here"); }
+Expected<void> World::add_marker(const MarkerSpec& /*marker*/) {
+    return failure("markers can't be added to this world");
+}
 
 Expected<void> World::remove_marker(std::string_view name) {
-    return failure(fmt::format("there is no marker '{}' that could be removed here", shown(name)));
+    return failure(fmt::format("there is no marker '{}' that can be removed from this world", shown(name)));
 }
 
 Expected<std::unique_ptr<CameraSource>> World::open_camera(const CameraMount& /*mount*/,
                                                            const CameraSettings& /*settings*/) {
-    return failure("this world can't be looked at with a simulated camera");
+    return failure("this world has no simulated cameras");
 }
 
 }  // namespace nezumi

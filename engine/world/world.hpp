@@ -54,19 +54,21 @@ struct WheelReading {
     Wheels speeds;          ///< [m/s] of the rims
 };
 
-/// A reading of a sensor, as from its device.
+/// A reading of a sensor, as the sensor's device gives it.
 struct SensorReading {
     bool is_there = false;  ///< whether there is a reading; otherwise its port publishes nothing
     double tm = 0;          ///< [s] time of the measurement
-    double value = 0;       ///< the value of its response, 0 or 1, an angle [rad], a `FloorColor`, 0 to 100
-    double physical = 0;    ///< the physical value: of a range sensor the distance [m], of a gyro the rate [rad/s]
+    /// The value. Range: by its response; button and touch: 0 or 1; gyro: the angle [rad]; color: a `FloorColor`;
+    /// reflect and ambient: 0 to 100.
+    double value = 0;
+    double physical = 0;  ///< the physical value: of a range sensor the distance [m], of a gyro the rate [rad/s]
 };
 
 /// One robot's hull, wheels and devices, which a driver or a simulator provides for the engine's `Robot`. `Robot` adds
 /// ports, safety and odometry. No function here waits for a device: a reading is the latest one, and commands are sent
-/// in the background. Called at least once per tick. Several robots may be used at the same time by as many threads,
-/// some sensing while others act: commands become effective in the next step of the world, and are invisible to others
-/// before.
+/// in the background. `read_wheels` is called in every tick. Several robots may be used at the same time by as many
+/// threads, some sensing while others act: commands become effective in the next step of the world, and are invisible
+/// to others before.
 class RobotBody {
 public:
     virtual ~RobotBody() = default;
@@ -79,29 +81,30 @@ public:
     /// One reading for each sensor of the spec at `now`, in its order; valid until the next call. Called after
     /// `read_wheels`, and only while the robot is ACTIVE.
     virtual std::span<const SensorReading> read_sensors(const Time& now, double period) = 0;
-    /// Whether the values of sensor `index` of the spec, a scan or neighbours, are used in the next `read_sensors`
-    /// calls, because casting rays is the most expensive part of a tick. Applies until the next call of this.
+    /// Sets whether the next `read_sensors` calls must compute the values of sensor `index` of the spec (a scan or
+    /// neighbours): casting rays is the most expensive part of a tick. Applies until the next `set_due`.
     virtual void set_due(std::size_t /*index*/, bool /*due*/) {}
-    /// The values of sensor `index` of the spec in that call, if it has several: of a scan the distances [m] of its
-    /// rays from right to left, of an imu three rates [rad/s] and three accelerations [m/s^2]. Empty for other sensors.
+    /// The values of sensor `index` of the spec in the last `read_sensors`, if it has several: of a scan the distances
+    /// [m] of its rays from right to left, of an imu three rates [rad/s] and three accelerations [m/s^2]. Empty for
+    /// other sensors.
     virtual std::span<const double> sensor_values(std::size_t /*index*/) const { return {}; }
-    /// The robots that sensor `index` of the spec, of kind `neighbours`, has seen in that call, the nearest first.
+    /// The robots that sensor `index` of the spec, of kind `neighbours`, saw in the last `read_sensors`, nearest first.
     virtual std::span<const Neighbour> neighbours(std::size_t /*index*/) const { return {}; }
     /// Angle [rad] of servo `index` of the spec's actuators.
     virtual double servo_angle(std::size_t /*index*/) const { return 0; }
     /// The faults since the last call: one line each, with what to do, reported once. Everything else continues.
     virtual std::vector<std::string> take_faults() { return {}; }
 
-    /// Whether its power supply allows driving. If not, the robot brakes and stands, and `take_faults` gives the
-    /// reason.
+    /// Whether the robot's power supply allows driving. If not, the robot brakes and stands, and `take_faults` gives
+    /// the reason.
     virtual bool may_drive() const { return true; }
-    /// The voltage [V] of its battery, NaN while it is not known yet. No value for a body that can't measure it, such
+    /// The voltage [V] of the robot's battery, NaN while it is unknown. No value for a body that can't measure it, such
     /// as a simulated one.
     virtual std::optional<double> battery() const { return std::nullopt; }
-    /// Whether a wheel's motor has full power but does not reach its speed, as its driver reports.
+    /// Whether a wheel's motor has full power but does not reach the commanded speed, as the driver reports.
     virtual bool is_stalled() const { return false; }
 
-    /// The surface speed [m/s] that each wheel holds from now on, already limited.
+    /// Sets the surface speed [m/s] of each wheel from now on, already limited.
     virtual void set_wheel_speeds(Wheels speeds) = 0;
     /// Lets the wheels roll freely until the next `set_wheel_speeds`.
     virtual void coast() = 0;
@@ -110,10 +113,11 @@ public:
     /// Moves servo `index` of the spec's actuators to an angle [rad], already limited, at `speed` [rad/s] (0: as fast
     /// as possible). Called on changes.
     virtual void aim_servo(std::size_t index, double angle, double speed) = 0;
-    /// Lights, in order, which cameras and `neighbours` see from the next step of the world on; called on changes.
+    /// Switches the lights, in their order. Cameras and `neighbours` see the change from the next step of the world on.
+    /// Called on changes.
     virtual void set_leds(const std::vector<bool>& /*on*/) {}
-    /// What `neighbours` of other robots see from the next step of the world on: at most `longest_message` finite
-    /// numbers. Called on changes.
+    /// Sets the message that `neighbours` sensors of other robots receive from the next step of the world on: at most
+    /// `longest_message` finite numbers. Called on changes.
     virtual void say(std::span<const double> /*message*/) {}
     static constexpr std::size_t longest_message = 10;
     /// Tone of the buzzer [Hz], 0 for silence; called on changes.
@@ -122,7 +126,7 @@ public:
     virtual void show(std::size_t /*index*/, const CameraImage& /*picture*/) {}
     /// Plays a sound after the earlier ones. Must not wait until it has been played.
     virtual void play(const Sound& /*sound*/) {}
-    /// Stops the present sound, and drops those that wait.
+    /// Stops the present sound, and drops the waiting ones.
     virtual void silence() {}
 };
 
@@ -180,17 +184,17 @@ public:
     virtual ~World() = default;
 
     /// Adds a robot. The spec must outlive the world. The body must not outlive the world; destroying the body removes
-    /// the robot. An error if the robot overlaps a robot or an object, which names both, or if it is outside of an
-    /// arena with a border.
+    /// the robot. An error if the robot overlaps a robot or an object (the error names both), or if it is outside of
+    /// an arena with a border.
     virtual Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
                                                            Pose2D pose) = 0;
 
-    /// Advances by this many physics steps.
+    /// Advances the world by `count` physics steps.
     virtual void step(int count) = 0;
-    /// Threads that share the steps, and that must exist in every step from now on; null: none. The result does not
-    /// depend on their number.
+    /// Sets threads that share the work of steps; null: none. They must exist in every step from now on. The result of
+    /// a step does not depend on their number.
     virtual void use_threads(WorkerPool* /*threads*/) {}
-    /// The reason why it can't continue; then nothing moves any more. Null: it can.
+    /// The reason why this world can't continue, after which nothing moves any more; null if it can continue.
     virtual const Error* breakdown() const { return nullptr; }
 
     /// The true state of a robot.
@@ -203,12 +207,12 @@ public:
     /// none.
     virtual std::string collided_with(RobotId robot) const = 0;
     /// The distance [m] from a robot to what it would touch first, seen from above; 0 where they overlap. At most
-    /// `most`: a smaller one takes less time. Things above the robot do not count. Nothing in a world that does not
-    /// know it.
+    /// `most`: a smaller limit takes less time. Things above the robot do not count. No value if this world can't
+    /// compute it.
     virtual std::optional<double> clearance(RobotId /*robot*/, double /*most*/) const { return std::nullopt; }
     static constexpr double most_clearance = 1.0;  ///< [m]
-    /// The points [m] where it touched objects, in the latest physics step of the last `step` call with a contact.
-    /// Empty without contacts, and in a world that does not know them.
+    /// The points [m] where the robot touched objects: those of the last `step` call, from its latest physics step with
+    /// a contact. Empty without contacts, and in a world that can't compute them.
     virtual std::vector<Point3D> contact_points(RobotId /*robot*/) const { return {}; }
 
     /// Moves a robot to a pose, at rest, without changing its odometry. An error if the place is occupied, or outside
@@ -222,23 +226,23 @@ public:
     /// Walls, boxes and cylinders at their present poses.
     virtual std::vector<ThingPose> things() const = 0;
     /// Moves a box or cylinder to a pose, at rest, except the walls of the arena's border. Its height and tilt do not
-    /// change. An error if there is none with this name (names the nearest), if the place is outside of an arena with a
-    /// border, or if it would overlap a robot or a movable object; a movable one must not overlap anything.
+    /// change. An error if there is none with this name (suggests a similar one), if the place is outside of an arena
+    /// with a border, or if it would overlap a robot or a movable object; a movable one must not overlap anything.
     virtual Expected<void> move_thing(std::string_view name, const Pose2D& pose);
     /// The arena's markers at their present poses, in the order of the arena.
     virtual std::vector<MarkerPose> markers() const { return {}; }
     /// The pattern of a marker with this id: rows of cells within the outer edges of its black border, from the top
     /// left, '1' for white; empty if there is none.
     virtual std::vector<std::string> marker_cells(int /*id*/) const { return {}; }
-    /// Moves a marker to any pose, because a marker touches nothing. An error if there is none with this name (names
-    /// the nearest), or if the pose is not finite.
+    /// Moves a marker to any pose, because a marker touches nothing. An error if there is none with this name
+    /// (suggests a similar one), or if the pose is not finite.
     virtual Expected<void> move_marker(std::string_view name, const Pose3D& pose);
     /// Adds a marker. An error if its name is taken, or if it could not be seen.
     virtual Expected<void> add_marker(const MarkerSpec& marker);
-    /// Removes a marker. An error if there is none with this name (names the nearest).
+    /// Removes a marker. An error if there is none with this name (suggests a similar one).
     virtual Expected<void> remove_marker(std::string_view name);
-    /// Opens a camera in this world, which must outlive the camera. An error if this world can't be seen, or if there
-    /// is no such robot.
+    /// Opens a camera in this world, which must outlive the camera. An error if this world has no view for cameras, or
+    /// if there is no such robot.
     virtual Expected<std::unique_ptr<CameraSource>> open_camera(const CameraMount& mount,
                                                                 const CameraSettings& settings);
     /// The present rays of the robot's range sensors.

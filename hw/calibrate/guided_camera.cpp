@@ -1,4 +1,4 @@
-// A system made of a system file, reduced to one camera.
+// Builds the system of a system file, reduced to one camera.
 #include "hw/calibrate/guided_camera.hpp"
 
 #include <fmt/format.h>

@@ -19,14 +19,14 @@ namespace nezumi::hw {
 class GuidedCamera {
 public:
     struct Options {
-        bool simulated = false;                           ///< held over a chessboard, as `view_of_chessboard` describes
-        const volatile std::sig_atomic_t* end = nullptr;  ///< if not 0, waiting for a picture ends
+        bool simulated = false;  ///< a simulated camera over a chessboard, see `view_of_chessboard`
+        const volatile std::sig_atomic_t* end = nullptr;    ///< if not 0, waiting for a picture ends
         std::function<void(const LogLine& line)> log = {};  ///< optional
     };
 
-    /// Makes the camera `name` of `spec`, which must exist. `makers` make it: a simulated camera, or the real one with
-    /// their default driver. The camera is on a robot, and its calibration goes into that robot's file. Errors as of
-    /// `build_system`.
+    /// Makes the camera `name`, which must exist in `spec`: a simulated camera, or the real one with the default driver
+    /// of `makers`. Fails if the camera is not on a robot, because its calibration is stored in the file of the robot.
+    /// Other errors as of `build_system`.
     static Expected<std::unique_ptr<GuidedCamera>> make(SystemSpec spec, const std::string& name, const Makers& makers,
                                                         Options options);
 

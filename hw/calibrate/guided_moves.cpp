@@ -13,13 +13,13 @@ namespace {
 constexpr double least_move = 5e-4;  // [m], [rad]: smaller moves are below one pulse of a stepping motor
 constexpr double move_patience = 2;  // a move fails after this multiple of its planned time plus two seconds
 
-// `moved` returns the part of `amount` done so far.
+// `moved` returns how far the robot has moved, in the unit of `amount`.
 Expected<void> move(GuidedRobot& robot, double amount, double fastest, double limit, double deceleration,
                     const std::function<Velocity2D(double signed_speed)>& velocity,
                     const std::function<double()>& moved, const GuidedRobot::EachTick& each_tick) {
     if (std::abs(amount) < least_move) return {};
     const double size = std::abs(amount);
-    // At most the speed from which it can stop within half of the move.
+    // At most the speed from which the robot can stop within half of the move.
     const double speed = std::min({fastest, limit, std::sqrt(size * deceleration)});
     const double braking = speed * speed / (2 * deceleration);
     const double seconds = move_patience * (size / speed + speed / deceleration) + 2;

@@ -1,4 +1,4 @@
-// While it rests the robot is not ACTIVE, so no ticks are needed while a person reads, measures and carries it.
+// While the robot rests, it is not ACTIVE: no ticks are needed while a person reads, measures and carries the robot.
 #include "hw/calibrate/guided_robot.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ Expected<std::unique_ptr<GuidedRobot>> GuidedRobot::make(SystemSpec spec, const 
     });
     spec.connections.clear();
     std::unique_ptr<GuidedRobot> guided(new GuidedRobot(std::move(spec), std::move(options)));
-    // The pause is not a fault, so it is not reported.
+    // In the first tick after a rest nothing is logged: the pause before this tick is not a fault.
     BuildOptions build{.real_time = guided->options_.real_time, .log = [owner = guided.get()](const LogLine& line) {
                            if (owner->options_.log && !owner->is_waking_) owner->options_.log(line);
                        }};

@@ -37,7 +37,7 @@ public:
     /// the person ends the program.
     Expected<void> drive(const Velocity2D& velocity, double seconds, const std::function<bool()>& reached = {},
                          const EachTick& each_tick = {});
-    /// Stands for `seconds` with the motors holding it.
+    /// The robot stands for `seconds`, held by its motors.
     Expected<void> stand(double seconds, const EachTick& each_tick = {}) { return drive({}, seconds, {}, each_tick); }
 
     /// Switches the motors off until the next drive: the robot may be carried, and no ticks are needed.

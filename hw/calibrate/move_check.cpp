@@ -12,7 +12,7 @@ namespace {
 
 constexpr double rim_speed = 0.05;  // [m/s]
 constexpr double seconds = 1;
-constexpr double tolerance = 0.4;  // relative, because speeding up and braking are part of the way
+constexpr double tolerance = 0.4;  // relative; large, because the way includes speeding up and braking
 
 Finding judged(const std::string& what, double wanted, double own, double other) {
     using enum Finding::State;
@@ -20,11 +20,11 @@ Finding judged(const std::string& what, double wanted, double own, double other)
     if (std::abs(own - wanted) > tolerance * std::abs(wanted))
         return {"wheels", wrong, found,
                 std::abs(own) < 0.1 * std::abs(wanted)
-                    ? "its counter or its motor is not connected: check their cables"
-                    : "check its motor's cables: left and right, or forward and backward, are swapped"};
+                    ? "the wheel's counter or motor is not connected: check the cables of both"
+                    : "check the cables of the motors: left and right, or forward and backward, are swapped"};
     if (std::abs(other) > tolerance * std::abs(wanted))
         return {"wheels", wrong, fmt::format("{}: the other wheel turned by {:.3f} m", what, other),
-                "check the motors' cables: left and right are swapped"};
+                "check the cables of the motors: left and right are swapped"};
     return {"wheels", good, found, ""};
 }
 

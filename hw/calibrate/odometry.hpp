@@ -15,7 +15,8 @@ struct OdometryCourse {
     double yaw_rate = 1.0;  ///< [rad/s]
 };
 
-/// `place` is called before a drive, `measure` after it: it returns the position [m] in the frame of the start.
+/// `place` is called before each drive. `measure` is called after it, and returns the position [m] in the frame of the
+/// start.
 struct CourseHelp {
     std::function<Expected<void>(const std::string& drive)> place;
     std::function<Expected<Point2D>(const std::string& drive)> measure;

@@ -1,4 +1,4 @@
-// A sensor mounted at an angle faces the wall squarely when the robot has turned by the opposite angle.
+// A sensor that is mounted at an angle faces the wall at a right angle when the robot has turned by the opposite angle.
 #include "hw/calibrate/ranges.hpp"
 
 #include <fmt/format.h>
@@ -21,10 +21,10 @@ constexpr double least_clearance = 0.004;  // [m] between hull and wall
 constexpr double widest_angle = std::numbers::pi / 3;
 constexpr Pace pace{.speed = 0.05, .yaw_rate = 0.5};
 
-// The distance [m] of a point of the body ahead of the axle at this heading.
+// The distance [m] by which a point of the body is ahead of the axle at this heading.
 double ahead(double x, double y, double heading) { return x * std::cos(heading) - y * std::sin(heading); }
 
-// The distance [m] that the hull extends ahead of the axle.
+// The distance [m] by which the hull extends ahead of the axle.
 double reach_of_hull(const BodySpec& body, double heading) {
     if (body.shape == BodySpec::Shape::cylinder) return ahead(body.at.x, body.at.y, heading) + body.size.x / 2;
     double reach = 0;
@@ -79,7 +79,7 @@ private:
     Expected<void> look_at_wall(double heading, const std::vector<std::size_t>& sensors) {
         const SensorSpec& first = spec_.sensors[sensors.front()];
         const double reach = reach_of_hull(spec_.body, heading), at = ahead(first.at.x, first.at.y, heading);
-        // Turning needs room.
+        // Backs away first, because turning needs room.
         if (heading != 0) {
             const double room = std::hypot(spec_.body.size.x, spec_.body.size.y);
             if (auto ok = back_off(course_.wall - room); !ok) return ok;

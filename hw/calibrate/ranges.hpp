@@ -9,14 +9,14 @@
 namespace nezumi::hw {
 
 struct RangeCourse {
-    double wall = 0.1;      ///< [m] from the middle of the axle to the wall; the robot faces it squarely
+    double wall = 0.1;      ///< [m] from the middle of the axle to the wall; the robot faces the wall at a right angle
     double settling = 0.3;  ///< [s] of standstill before readings count
     double looking = 0.5;   ///< [s] over which readings are averaged
 };
 
-/// Backs away from the wall and stops at one distance after the other. Turns so that sensors mounted at an angle face
-/// the wall squarely too. Returns the mean readings. Sensors at more than 60 degrees are left out. Fails if none is
-/// left, or if a sensor gives too few readings.
+/// Backs away from the wall and stops at one distance after the other. Turns the robot so that sensors that are mounted
+/// at an angle face the wall at a right angle too. Returns the mean readings. Sensors at more than 60 degrees are left
+/// out. Fails if none is left, or if a sensor gives too few readings.
 Expected<std::vector<RangeCalibration>> calibrate_ranges(GuidedRobot& robot, const RangeCourse& course);
 
 }  // namespace nezumi::hw

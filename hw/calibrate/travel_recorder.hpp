@@ -20,7 +20,7 @@ public:
         const double turn = std::remainder(now.heading - last_.heading, 2 * std::numbers::pi),
                      middle = last_.heading + turn / 2;
         const double dx = now.position.x - last_.position.x, dy = now.position.y - last_.position.y;
-        // From the chord to the arc, to the third order; the turn within one tick is small.
+        // Converts the chord to the length of the arc, to the third order; the turn within one tick is small.
         const double ahead = (dx * std::cos(middle) + dy * std::sin(middle)) / (1 - turn * turn / 24);
         const double half = turn * robot_.spec().drive.track / 2;
         travel_.push_back({.left = ahead - half, .right = ahead + half});

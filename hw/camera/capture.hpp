@@ -16,14 +16,14 @@ namespace nezumi::hw {
 struct CaptureSettings {
     int width = 640;                  ///< [px]
     int height = 480;                 ///< [px]
-    double frame_rate = 30;           ///< [Hz] the device may choose another rate
+    double frame_rate = 30;           ///< [Hz]; the device may choose another rate
     bool color = true;                ///< red, green, blue; otherwise grey
     CameraIntrinsics raw_intrinsics;  ///< for `undistort`
-    std::string pixel_format;         ///< that it sends, four letters; "": the device's choice
+    std::string pixel_format;         ///< format that the device sends, four letters; "": the device's choice
     bool undistort = false;           ///< the pictures become those of a pinhole with the same `fx`, `fy`, `cx`, `cy`
 };
 
-/// Not thread-safe.
+/// An open camera. Not thread-safe.
 class Capture {
 public:
     virtual ~Capture() = default;
@@ -46,7 +46,7 @@ using OpenCapture = std::function<tl::expected<std::unique_ptr<Capture>, std::st
 /// the rest of the program.
 tl::expected<std::unique_ptr<Capture>, std::string> open_by_opencv(const std::string& node,
                                                                    const CaptureSettings& settings);
-/// Loads that module. An error says why cameras can't be used, and what to install.
+/// Loads the module with OpenCV's videoio. An error says why cameras can't be used, and what to install.
 tl::expected<void, std::string> load_opencv();
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// The interface between the program and its camera module. Both are built together.
+// The interface between the program and its camera module, which are always built together.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@ namespace nezumi::hw {
 inline constexpr const char* camera_module = "nezumi_camera.so";
 inline constexpr const char* open_in_module = "nezumi_open_camera";
 
-/// The module's only function. Returns a new capture, or nullptr with the `problem`. Never throws.
+/// The only function that the module exports. Returns a new capture, or sets `problem` and returns nullptr. Never
+/// throws.
 using OpenInModule = Capture*(const std::string& node, const CaptureSettings& settings, std::string& problem);
 
 }  // namespace nezumi::hw

@@ -24,13 +24,13 @@ public:
         device().set(cv::CAP_PROP_FRAME_WIDTH, settings.width);
         device().set(cv::CAP_PROP_FRAME_HEIGHT, settings.height);
         device().set(cv::CAP_PROP_FPS, settings.frame_rate);
-        // Only the newest frame is wanted.
+        // A short queue, because only the newest frame is used.
         device().set(cv::CAP_PROP_BUFFERSIZE, 2);
         if (settings.undistort) make_maps();
     }
 
     bool is_open() const { return captures_.front().isOpened(); }
-    // What it sends now, as four letters.
+    // The pixel format that the camera sends now, four letters.
     std::string pixel_format() const {
         const auto code = static_cast<std::uint32_t>(captures_.front().get(cv::CAP_PROP_FOURCC));
         std::string letters;
@@ -50,7 +50,7 @@ public:
             std::vector<int> ready;
             if (cv::VideoCapture::waitAny(captures_, ready, static_cast<std::int64_t>(seconds * 1e9)))
                 return Wait::frame;
-            // A device that has gone returns immediately.
+            // If the device is gone, `waitAny` returns immediately.
             const double waited = static_cast<double>(cv::getTickCount() - begin) / cv::getTickFrequency();
             return waited < seconds / 2 ? Wait::failed : Wait::nothing;
         } catch (const cv::Exception&) {

@@ -20,8 +20,8 @@ namespace nezumi::hw {
 namespace {
 
 constexpr double waiting = 0.05;    // [s] for a frame per call
-constexpr double oldest_frame = 1;  // [s] an older frame must have its time from another clock
-constexpr double early = 0.2;       // part of a period by which a frame may come early
+constexpr double oldest_frame = 1;  // [s] a frame that seems older has its time from another clock
+constexpr double early = 0.2;       // part of a period by which a frame may come too early
 
 std::string with_camera_advice(const NodeError& error) {
     if (error.code == EBUSY)
@@ -29,7 +29,7 @@ std::string with_camera_advice(const NodeError& error) {
     return with_usb_advice(error, "video");
 }
 
-// A node opened to ask for its capabilities.
+// A node that is open only to ask for its capabilities.
 class Questions {
 public:
     explicit Questions(const std::string& node) : file_(::open(node.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC)) {}
@@ -120,7 +120,7 @@ void VideoCamera::close(const std::string& why) {
     health_.lost(why);
 }
 
-// A camera may be faster than requested.
+// True if the frame at `tm` is used. A camera may be faster than requested; then some frames are skipped.
 bool VideoCamera::is_due(double tm) {
     const double period = 1 / settings_.frame_rate;
     if (tm < due_ - early * period && due_ - tm < 2 * period) return false;

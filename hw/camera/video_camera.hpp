@@ -17,17 +17,18 @@
 
 namespace nezumi::hw {
 
-/// A job. Opens the camera when it is plugged in, and again after it was unplugged, failed or stopped sending.
+/// The job of reading a camera. Opens the camera when it is plugged in, and again after it was unplugged, failed or
+/// stopped sending.
 class VideoCamera final : public DeviceJob {
 public:
-    /// `dev` is /dev or a folder in its place. Applies to device paths that begin with /dev/ too.
+    /// `dev` is /dev, or the folder that replaces it, also in device paths of the settings.
     VideoCamera(std::string dev, const CameraSettings& settings, OpenCapture open);
 
     /// Interval [s] of the search for the camera.
     static constexpr double search_period = 1;
     /// Time [s] without a picture after which the camera counts as silent; longer at low frame rates.
     static constexpr double patience = 1;
-    /// Longest time [s] to open it.
+    /// Longest time [s] to open the camera.
     static constexpr double slowest_opening = 3;
 
     /// Called by the control loop at `now` (`clock_seconds`). Returns the time [s], by the same clock, of the newest

@@ -1,4 +1,4 @@
-// Access of drivers to device files: the kernel's, a logged one or a replay.
+// The interface through which drivers access device files: directly, with a log, or from a replayed log.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ public:
     virtual int descriptor() const { return -1; }
 };
 
-/// Any function may be called from any thread, and may block on a device.
+/// Any thread may call these functions. They may block on a device.
 class DeviceFiles {
 public:
     virtual ~DeviceFiles() = default;

@@ -17,7 +17,7 @@ inline constexpr const char* no_answer = "no answer for 0.3 s: restart its drive
 /// Any thread may call it.
 class Health {
 public:
-    /// `device` is the name in messages: "the light sensors"; "": none, as where a component's messages have its name.
+    /// `device` is the name in messages: "light sensors". "" if the messages get a component's name later.
     explicit Health(std::string device) : prefix_(device.empty() ? "" : std::move(device) + ": ") {}
 
     /// The device does not work, for this reason. Reported only if it worked before.
@@ -37,7 +37,7 @@ private:
     mutable Mutex mutex_;
     bool is_lost_ = false;
     bool is_told_ = false;              // the loss was reported
-    std::optional<double> well_since_;  // [s] since when it works
+    std::optional<double> well_since_;  // [s] time since which the device works again
     std::vector<std::string> lines_;
 };
 

@@ -1,4 +1,4 @@
-// A robot's LEDs, switched on a thread of their own.
+// A robot's LEDs, switched on a separate thread.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ public:
     /// Explains a failed node and what to do.
     using Advice = std::string (*)(const NodeError& error);
 
-    /// One node per LED, which takes the text `on` or "0".
+    /// `nodes`: one per LED; the text `on` switches it on, "0" off.
     Lights(const std::vector<DevicePath>& nodes, std::string on, Advice advice);
 
     /// Called by the control loop: sets the wanted states. LEDs beyond the end of `on` are unchanged.

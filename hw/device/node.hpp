@@ -18,7 +18,7 @@ struct NodeError {
 
 /// "/dev/rtled0: no such file or directory".
 std::string describe(const NodeError& error);
-/// The same, with what to do about a device on USB whose nodes belong to this `group`.
+/// Describes an error with what to do, for a USB device whose nodes may be used by this `group`.
 std::string with_usb_advice(const NodeError& error, std::string_view group);
 
 /// Opened at first use, and again after an error, so a device that was removed works again when it is back. A regular

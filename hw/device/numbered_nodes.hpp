@@ -11,7 +11,7 @@ namespace nezumi::hw {
 /// folder can't be read.
 std::vector<std::string> numbered_nodes(const std::string& folder, std::string_view name);
 
-/// Replaces /dev of "/dev/video0" by the folder `dev`; other paths are unchanged.
+/// Replaces /dev at the beginning of a path such as "/dev/video0" by the folder `dev`; other paths are unchanged.
 std::string under_dev(const std::string& dev, const std::string& device);
 
 }  // namespace nezumi::hw

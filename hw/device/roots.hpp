@@ -1,4 +1,4 @@
-// The folders of devices: /dev and /sys, or others in their place.
+// The folders of devices: /dev and /sys, or other folders that replace them.
 #pragma once
 
 #include <memory>

@@ -18,9 +18,10 @@ public:
         offset_ = std::min(offset_, clock - now.seconds);
         return clock;
     }
-    /// The system's time of a sample with the stamp `tm`; never later than now.
+    /// The system's time of a sample with the stamp `tm`, limited to the time of the present tick.
     double system_time(const Time& now, double tm) const { return std::min(now.seconds, exact_time(tm)); }
-    /// The system's time of a sample, also later than now; so differences are those of the samples.
+    /// The system's time of a sample, which may be later than the present tick. So differences between samples are
+    /// exact.
     double exact_time(double tm) const { return tm - offset_; }
 
 private:

@@ -22,7 +22,7 @@ Wake::~Wake() { close(bell_); }
 
 void Wake::ring() const {
     const std::uint64_t one = 1;
-    // It fails only after 2^64 calls.
+    // The write fails only after 2^64 calls.
     [[maybe_unused]] const ssize_t written = write(bell_, &one, sizeof one);
 }
 

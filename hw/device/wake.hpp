@@ -1,4 +1,4 @@
-// Wakes a thread that waits, also for files.
+// Lets a thread wait for a call from another thread, and for data of a file at the same time.
 #pragma once
 
 namespace nezumi::hw {
@@ -12,7 +12,7 @@ public:
 
     /// Ends the present or the next `wait`. Any thread may call it; never blocks.
     void ring() const;
-    /// Waits for `ring`, for `file` (-1: none) to have data or an end, or for at most `seconds`.
+    /// Waits until `ring` is called, or until `file` (-1: none) has data or has ended; at most `seconds`.
     void wait(double seconds, int file = -1) const;
 
 private:

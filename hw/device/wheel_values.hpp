@@ -25,10 +25,10 @@ double rim_acceleration(const DriveSpec& drive);
 WheelReading wheel_reading(const std::optional<Sample<WheelValues>>& sample, const TickClock& clock, const Time& now,
                            const DriveSpec& drive);
 
-/// The rate of a counter, from the times of its readings.
+/// Measures the rate of a counter from the times of its readings.
 class PulseRate {
 public:
-    static constexpr double window = 0.05;  ///< [s] time over which it is measured
+    static constexpr double window = 0.05;  ///< [s] time over which the rate is measured
 
     /// Adds a reading at `tm` [s].
     void take(double tm, std::int64_t pulses) {

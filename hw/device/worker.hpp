@@ -11,14 +11,14 @@
 
 namespace nezumi::hw {
 
-/// The repeated work of a worker. If its thread hangs in the kernel, the job outlives its worker: it must own all that
-/// it uses, or share it.
+/// The repeated work of a worker. If the thread hangs in the kernel, the job lives longer than its worker. So a job
+/// must own everything that it uses, or share the ownership.
 class DeviceJob {
 public:
     virtual ~DeviceJob() = default;
     /// Does the present work. Returns the longest time [s] until the next call.
     virtual double run() = 0;
-    /// A file whose data also start a run; -1: none.
+    /// `run` is also called when this file has data; -1: no file.
     virtual int watched_file() const { return -1; }
     /// Called last, on the same thread.
     virtual void end() {}
@@ -33,12 +33,12 @@ public:
 
 private:
     friend class DeviceWorker;
-    std::atomic<double> running_since_ = 0;  // [s] by `clock_seconds`; 0: it does not run
+    std::atomic<double> running_since_ = 0;  // [s] by `clock_seconds`: begin of the present `run`; 0: none
 };
 
 class DeviceWorker {
 public:
-    /// Time [s] for a thread to end. After that it is abandoned: it hangs in the kernel.
+    /// Time [s] to wait for a thread to end. After that the thread is abandoned, because it hangs in the kernel.
     static constexpr double patience = 1.0;
 
     /// Starts immediately. Throws std::system_error if no thread can be made.

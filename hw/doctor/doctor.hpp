@@ -1,4 +1,5 @@
-// Finds what prevents this machine from driving its robot: driver, nodes, permissions, board, supply, camera and sound.
+// Finds what prevents this machine from driving its robot: driver, device nodes, permissions, board, supply, camera and
+// sound.
 #pragma once
 
 #include <functional>
@@ -28,7 +29,8 @@ struct Examination {
     Findings findings;
 };
 
-/// Examines everything without writing, and these devices (`device_kinds()`) too. A device that hangs costs one second.
+/// Examines everything without writing, also these devices (`device_kinds()`). A device that does not answer takes one
+/// second.
 Examination examine(const MachineRoots& roots, const std::vector<ComponentEntry>& devices = {});
 
 }  // namespace nezumi::hw

@@ -5,7 +5,8 @@
 
 namespace nezumi::hw {
 
-/// The computer: its model, whether programs start on it, and its supply. Returns its name from the firmware, or "".
+/// The computer: its model, whether programs start on it, and its supply. Returns the computer's name from the
+/// firmware, or "".
 std::string examine_board(const MachineRoots& roots, Findings& findings);
 void examine_mouse(const MachineRoots& roots, Findings& findings);
 void examine_ev3(const MachineRoots& roots, Findings& findings);

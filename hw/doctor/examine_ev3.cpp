@@ -63,7 +63,7 @@ private:
             say("programs", wrong,
                 fmt::format("{} (process {}) has {} open", holder.name.empty() ? "a program" : holder.name,
                             holder.process, listed(holder.files)),
-                fmt::format("end it before a robot is driven: kill {}", holder.process));
+                fmt::format("end this program before you drive the robot: kill {}", holder.process));
         if (const auto lease = Lease::take("ev3", folder); !lease) {
             const std::string text = lease.error().message;
             const std::size_t colon = text.rfind(": ");
@@ -97,8 +97,8 @@ private:
         if (now == 0) return say("battery", note, "its voltage is unknown");
         const std::string text = fmt::format("{:.1f} V", now);
         if (now < least) {
-            say("battery", wrong, fmt::format("{}, and the robot stands below {:.1f} V", text, least),
-                "charge it, or put in fresh ones");
+            say("battery", wrong, fmt::format("{}: below {:.1f} V the robot does not drive", text, least),
+                "charge the battery, or put in fresh batteries");
         } else {
             say("battery", good, text);
         }

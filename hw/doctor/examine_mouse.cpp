@@ -1,4 +1,4 @@
-// The mouse's kernel driver and nodes, and the parts behind the nodes.
+// Examines the mouse's kernel driver, its device nodes, and the hardware behind them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,8 @@ constexpr MouseNode all_nodes[] = {
     {"rtswitch2", reads},    {"rtled0", writes},         {"rtled1", writes},         {"rtled2", writes},
     {"rtled3", writes},      {"rtbuzzer0", writes},
 };
-// Nodes that other programs often open: opening the signed counter nodes changes the values of the unsigned ones.
+// Device nodes that other programs often open. Opening the signed counter nodes changes the values of the unsigned
+// ones.
 constexpr const char* nodes_of_others[] = {"rtcounter_l1", "rtcounter_r1", "rtmotor0"};
 
 constexpr int light_readings = 5;  // number of readings; if all are 0 0 0 0, the sensors do not measure
@@ -62,7 +63,7 @@ private:
         if (!version.empty()) return say("driver", good, "rtmouse " + version);
         if (!names_in(module).empty()) return say("driver", good, "rtmouse, version unknown");
         if (opening_fails_with(node("rtmotoren0"), writes) != ENOENT)
-            return say("driver", note, module + " does not exist, but the driver's nodes do");
+            return say("driver", note, module + " does not exist, but the driver's device nodes exist");
         say("driver", wrong, "rtmouse is not loaded",
             "sudo modprobe rtmouse; if there is no such module, build it: "
             "https://github.com/rt-net/RaspberryPiMouse");
@@ -82,10 +83,10 @@ private:
             say("programs", wrong,
                 fmt::format("{} (process {}) has {} open", holder.name.empty() ? "a program" : holder.name,
                             holder.process, listed(holder.files)),
-                fmt::format("end it before a robot is driven: kill {}", holder.process));
+                fmt::format("end this program before you drive the robot: kill {}", holder.process));
         }
         if (is_power_held || opening_fails_with(power, writes) != 0) return;
-        // A program of another user can't be seen, but its lease can.
+        // A program of another user is not visible in /proc, but its lease is.
         if (const auto lease = Lease::take("raspimouse", power); !lease) {
             const std::string text = lease.error().message;
             const std::size_t colon = text.rfind(": ");
@@ -139,7 +140,7 @@ private:
         }
     }
 
-    // Without a rule, someone has changed the permissions by hand; they are lost at the next start.
+    // If there is no udev rule, the permissions were changed by hand, and the change is lost at the next start.
     void look_at_rules() {
         for (const std::string& folder : roots_.udev) {
             for (const std::string& name : names_in(folder + "/rules.d")) {
@@ -152,7 +153,7 @@ private:
             }
         }
         say("udev rules", note,
-            "no udev rule gives access to the nodes: other users can't use them, or only until the next start",
+            "no udev rule gives access to the device nodes: other users have no access, or lose it at the next start",
             rule_advice());
     }
 
@@ -190,7 +191,7 @@ private:
             return false;
         }
         say("light sensors", wrong, "they always give 0 0 0 0: that is not a measurement",
-            "switch SPI on, see overlay; and check the boards' connector");
+            "switch SPI on (see the finding 'overlay'), and check the boards' connector");
         return true;
     }
 
@@ -231,7 +232,7 @@ private:
         }
     }
 
-    // A value of the device tree, if there is one: four bytes, big endian.
+    // The clock is a value of the device tree: four bytes, big endian. It may be missing.
     void look_at_i2c_clock() {
         const std::string path = roots_.devices.sys + "/bus/i2c/devices/i2c-1/of_node/clock-frequency";
         std::ifstream file(path, std::ios::binary);
@@ -241,7 +242,7 @@ private:
         for (const unsigned char byte : bytes) hertz = hertz << 8U | byte;
         if (hertz <= counters_i2c_clock) return say("I2C clock", good, fmt::format("{} Hz", hertz));
         say("I2C clock", wrong,
-            fmt::format("{} Hz: the wheel counters' makers ask for {} Hz, else readings fail", hertz,
+            fmt::format("{} Hz: the manufacturer of the wheel counters allows at most {} Hz, else readings fail", hertz,
                         counters_i2c_clock),
             fmt::format("write dtparam=i2c_baudrate={} into /boot/firmware/config.txt (/boot/config.txt on older "
                         "systems), and restart",

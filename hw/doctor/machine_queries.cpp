@@ -1,4 +1,4 @@
-// What can't be read counts as missing, so a user with few permissions still gets the rest.
+// Files that can't be read count as missing, so a user with few permissions still gets the other results.
 #include "hw/doctor/machine_queries.hpp"
 
 #include <sys/stat.h>

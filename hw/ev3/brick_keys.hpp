@@ -18,10 +18,11 @@ inline constexpr std::array<std::string_view, 6> brick_keys{"up", "down", "left"
 /// True for each pressed key, in the order of `brick_keys`.
 using BrickKeyValues = std::array<bool, brick_keys.size()>;
 
-/// Asks the event device which keys are down, so no event is missed before it is opened or between readings.
+/// Asks the event device which keys are down, instead of reading events. So a key is also noticed if it was pressed
+/// before the device was opened.
 class BrickKeys final : public Sampler<BrickKeyValues> {
 public:
-    /// `dev` is /dev or a folder in its place.
+    /// `dev` is /dev or the folder that replaces it.
     explicit BrickKeys(const DevicePath& dev);
 
     static constexpr double period = 0.03;  ///< [s] between readings
@@ -32,7 +33,7 @@ protected:
 private:
     tl::expected<void, std::string> open();
 
-    const std::array<DevicePath, 2> nodes_;  // of newer and older systems
+    const std::array<DevicePath, 2> nodes_;  // paths on newer and on older systems
     std::string node_;                       // the open one
     std::unique_ptr<OpenFile> file_;
 };

@@ -16,7 +16,7 @@ std::string_view without_newline(std::string_view text) {
     return text;
 }
 
-// "" if it can't be read: the device was removed.
+// The first line of a file; "" if it can't be read because the device was removed.
 std::string read_line(const DevicePath& path) {
     Node node(path, Node::Access::read);
     const auto text = node.read();

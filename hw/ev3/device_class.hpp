@@ -1,4 +1,4 @@
-// Finds a device of the brick by driver and port, because its number has no meaning.
+// Finds a device of the brick by driver and port, because the number in its path is not fixed.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ public:
     explicit DeviceClass(DevicePath folder) : folder_(std::move(folder)) {}
 
     /// Returns the folder of the device with this driver ("lego-ev3-gyro") at this port ("in2"; "": any). An error says
-    /// what is there instead, and what to do.
+    /// which device is plugged in instead, and what to do.
     tl::expected<DevicePath, std::string> find(std::string_view driver, std::string_view port) const;
     const DevicePath& folder() const { return folder_; }
 
@@ -24,10 +24,10 @@ private:
     DevicePath folder_;
 };
 
-/// "outB" of "ev3-ports:outB"; older systems have only "outB".
+/// The port in an address: "outB" for "ev3-ports:outB", and for "outB" on older systems.
 std::string_view port_of(std::string_view address);
 
-/// The reason why a node of the brick does not work, with what to do.
+/// Describes why a device file of the brick does not work, with what to do.
 std::string with_ev3_advice(const NodeError& error);
 
 /// Reads an integer from a node. An error says what to do.

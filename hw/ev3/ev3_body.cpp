@@ -1,4 +1,4 @@
-// Assigns the brick's devices to the described sensors and actuators, and converts their units.
+// Assigns the brick's devices to the sensors and actuators of the robot file, and converts their units.
 #include "hw/ev3/ev3_body.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,8 @@ std::optional<SensorMode> mode_of(SensorKind kind) {
 
 bool is_color(SensorKind kind) { return kind == SensorKind::color || kind == SensorKind::reflect; }
 
-// Numbers the devices of a kind. Sensors of the spec that are one device have one number.
+// For each sensor of the spec, the number of its device. Colour sensors at the same port are one device with one
+// number.
 std::vector<std::size_t> devices_of(const RobotSpec& spec) {
     std::vector<std::size_t> first(spec.sensors.size());
     for (std::size_t i = 0; i < first.size(); ++i) {

@@ -36,10 +36,11 @@ private:
     double degrees_ = 0;
 };
 
-/// Converts RGB-RAW, where white paper gives 300 per channel, to a colour. Nothing if nothing is in range.
+/// Converts values of the mode RGB-RAW, in which white paper gives 300 per channel, to a colour. Returns nothing if no
+/// surface is in range.
 std::optional<Rgb> floor_seen(const SensorValues& values);
 
-/// Never blocks on a device: each has its own thread.
+/// Functions never block on a device, because each device has its own thread.
 class Ev3Body final : public RobotBody {
 public:
     /// Finds a device by its kind, and by its `port` if the spec has one ("in3", "outB"). The default ports are outB

@@ -20,15 +20,15 @@ struct ScreenFormat {
     int stride = 712;               ///< [bytes] per row
 };
 
-/// Scales the picture to the largest size that fits, in the middle of a white screen. It has 8 (grey), 24 (rgb) or 32
-/// bits (rgb and an unused byte) per pixel; for others it returns "". With one bit per pixel on the screen, less than
-/// half brightness is dark.
+/// Scales the picture to the largest size that fits, in the middle of a white screen. The picture must have 8 (grey),
+/// 24 (rgb) or 32 bits (rgb and an unused byte) per pixel; otherwise returns "". On a screen with one bit per pixel,
+/// pixels of less than half brightness are dark.
 std::string paint_screen(const CameraImage& picture, const ScreenFormat& format);
 
-/// A job.
+/// The job of painting the newest picture.
 class BrickScreen final : public DeviceJob {
 public:
-    /// `frame_buffer` is "/dev/fb0". `properties` is the folder with its format, "/sys/class/graphics/fb0".
+    /// `frame_buffer`: "/dev/fb0". `properties`: the folder that describes its format, "/sys/class/graphics/fb0".
     BrickScreen(DevicePath frame_buffer, DevicePath properties)
         : frame_buffer_(std::move(frame_buffer)), properties_(std::move(properties)) {}
 

@@ -23,7 +23,8 @@ std::string ModeSensor::lost(const std::string& why) {
     return why;
 }
 
-// Another program may have changed the mode, and with it the meaning of the values.
+// Checks the sensor's mode, and sets it if it differs: another program may have changed it, and with it the meaning of
+// the values.
 tl::expected<bool, std::string> ModeSensor::is_in_mode(double now) {
     const auto mode = nodes_->get_mode.read();
     if (!mode) return tl::unexpected(with_ev3_advice(mode.error()));
@@ -42,7 +43,7 @@ tl::expected<bool, std::string> ModeSensor::is_in_mode(double now) {
 }
 
 tl::expected<std::optional<SensorValues>, std::string> ModeSensor::sample(double now) {
-    if (nodes_ && now < settled_at_) return std::nullopt;  // a change of mode that is still going on is not an error
+    if (nodes_ && now < settled_at_) return std::nullopt;  // not an error: the mode is still being changed
     if (!nodes_) {
         const auto folder = class_.find(mode_.driver, port_);
         if (!folder) return tl::unexpected(folder.error());

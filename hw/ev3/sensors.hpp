@@ -23,13 +23,13 @@ struct SensorMode {
 
 struct SensorValues {
     std::array<double, 3> values{};  ///< in the mode's unit, with its decimals
-    int plugged_in = 0;              ///< how often it was found: a sensor that was plugged in again counts from 0
+    int plugged_in = 0;              ///< how often the sensor was found: when plugged in again, a gyro starts at 0
 };
 
 /// Keeps its sensor in one mode, because a change takes up to 50 ms and the values after it are stale.
 class ModeSensor final : public Sampler<SensorValues> {
 public:
-    /// `folder` of the class lego-sensor. `port` as "in3", or "" for any. `name` is for messages.
+    /// `folder`: of the class lego-sensor. `port`: such as "in3", or "" for any. `name`: for messages.
     ModeSensor(std::string name, const DevicePath& folder, SensorMode mode, std::string port)
         : Sampler(std::move(name), period), class_(folder), mode_(mode), port_(std::move(port)) {}
 
@@ -37,11 +37,11 @@ public:
     /// Time [s] after a change of mode in which values are ignored: the change takes up to 50 ms, and then values are
     /// stale for 20 ms.
     static constexpr double settling = 0.08;
-    /// Failed tries, and tries without effect, before an error is reported: 0.8 s, because a slow brick needs more
-    /// time.
+    /// Numbers of failed tries, and of tries without effect, to set the mode before an error is reported. The latter
+    /// take 0.8 s, because a slow brick needs more time.
     static constexpr int most_failures = 3, most_attempts = 10;
 
-    /// True if it has ever sent a value. Any thread may call it.
+    /// True if the sensor has ever sent a value. Any thread may call it.
     bool was_there() const { return was_there_; }
 
 protected:

@@ -31,7 +31,7 @@ std::vector<std::string> ServoMotor::take_faults() {
 tl::expected<void, std::string> ServoMotor::serve() {
     if (!motor_.is_found()) {
         if (auto ok = motor_.find(); !ok) return ok;
-        // Without proof: the motor stops at its target on its own, and the wheels need not wait for it.
+        // Needs no proof, because the motor stops at its target on its own. So the wheels need not wait for a proof.
         const auto guarded = guard_->take_up(motor_.command_node(), {.index = WheelMotors::count, .text = "stop"});
         if (!guarded) return tl::unexpected(motor_.give_up(with_ev3_advice(guarded.error())));
     }

@@ -14,8 +14,8 @@
 
 namespace nezumi::hw {
 
-/// A job. Angle 0 is the position where the motor was first found. The motor may be missing: this is reported, and it
-/// works when it is plugged in.
+/// The job of moving a servo. Angle 0 is the position where the motor was first found. If the motor is missing, this is
+/// reported, and it works as soon as it is plugged in.
 class ServoMotor final : public DeviceJob {
 public:
     /// `folder` of the class tacho-motor. `name` is for messages: "medium motor 'arm'". `guard` stops this motor too.

@@ -68,7 +68,7 @@ tl::expected<void, std::string> TachoMotor::set_after_stop(AfterStop wanted) {
 
 tl::expected<void, std::string> TachoMotor::prepare() {
     if (auto ok = coast(); !ok) return ok;
-    // Other programs may have changed these. A ramp would lengthen the braking distance.
+    // Sets these, because other programs may have changed them. A ramp would lengthen the braking distance.
     for (const auto& [name, text] : {std::pair("ramp_up_sp", "0"), {"ramp_down_sp", "0"}, {"polarity", "normal"}}) {
         Node node(folder_ + "/" + name, Access::write);
         if (auto ok = write(node, text); !ok) return ok;
@@ -90,7 +90,7 @@ tl::expected<void, std::string> TachoMotor::go_to(std::int64_t position, int rat
     return write(nodes_->command, "run-to-abs-pos");
 }
 
-// Speed 0 would switch the power off instead of holding the motor.
+// Uses the command "stop", because speed 0 would switch the power off instead of holding the motor.
 tl::expected<void, std::string> TachoMotor::hold() {
     if (auto ok = set_after_stop(AfterStop::hold); !ok) return ok;
     return write(nodes_->command, "stop");

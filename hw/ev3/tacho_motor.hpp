@@ -10,16 +10,16 @@
 
 namespace nezumi::hw {
 
-/// Reads and writes immediately, so it needs a thread that may block. Errors say what to do. After an error, call
-/// `find` again.
+/// Reads and writes device files directly, so use it on a thread that may block. Errors say what to do. After an error,
+/// call `find` again.
 class TachoMotor {
 public:
-    /// `folder` of the class; `driver` as "lego-ev3-l-motor"; `port` as "outB".
+    /// `folder`: of the class; `driver`: such as "lego-ev3-l-motor"; `port`: such as "outB".
     TachoMotor(const DevicePath& folder, std::string driver, std::string port);
 
     /// Finds the motor. Writes nothing.
     tl::expected<void, std::string> find();
-    /// True if it was found and no access has failed since.
+    /// True if the motor was found and no access has failed since.
     bool is_found() const { return nodes_.has_value(); }
     /// The node that takes "stop". The motor must have been found.
     const Node& command_node() const { return nodes_->command; }
@@ -41,8 +41,8 @@ public:
 
     /// The position [pulses], forward positive. It continues after the motor was plugged in again.
     tl::expected<std::int64_t, std::string> position();
-    /// Whether it gives full power but does not reach its speed: its driver reports "stalled" or "overloaded". False if
-    /// the driver does not report this.
+    /// True if the motor gives full power but does not reach its speed: its driver reports "stalled" or "overloaded".
+    /// False if the driver does not report this.
     bool is_stalled();
     const std::string& port() const { return port_; }
     int pulses_per_turn() const { return pulses_per_turn_; }

@@ -13,7 +13,7 @@
 namespace nezumi::hw {
 namespace {
 
-constexpr double attention = 0.05;                       // [s] between readings if it is not woken
+constexpr double attention = 0.05;                       // [s] between readings if the thread is not woken
 constexpr double tell_again = TachoMotor::dead_man / 2;  // [s]
 
 }  // namespace
@@ -67,7 +67,7 @@ std::vector<std::string> WheelMotors::take_faults() {
 
 bool WheelMotors::turns() const { return wheels_[0].mode == Wheel::Mode::run || wheels_[1].mode == Wheel::Mode::run; }
 
-// Each on its own: a motor that fails must not keep the other one running.
+// Stops each motor separately: if one fails, the other must still stop.
 void WheelMotors::stop_all() {
     for (Wheel& wheel : wheels_) {
         wheel.mode = Wheel::Mode::unknown;
@@ -127,8 +127,8 @@ tl::expected<void, std::string> WheelMotors::tell(Wheel& wheel, const Command& c
 tl::expected<void, std::string> WheelMotors::perform(const Command& command, double now) {
     const double elapsed = now - std::exchange(served_at_, now);
     const std::array rates{command.rates.left, command.rates.right};
-    // While this thread was suspended, the guard may have stopped the motors or been suspended itself. Then the command
-    // is void.
+    // While this thread was suspended, the guard may have stopped the motors or been suspended too. Then the command is
+    // no longer valid.
     const auto is_void = [&] { return has_to_stop(clock_seconds(), turns() || (rates[0] != 0 || rates[1] != 0)); };
     for (std::size_t i = 0; i < count && !is_void(); ++i) {
         Wheel& wheel = wheels_[i];
@@ -169,7 +169,7 @@ void WheelMotors::look_for_stalls(double now) {
     if (ports.empty()) {
         stalls_.works();
     } else {
-        stalls_.lost(fmt::format("{} stalled: it gives all its power and does not get its speed: is a wheel blocked?",
+        stalls_.lost(fmt::format("{} stalled: full power, but the speed is not reached: is a wheel blocked?",
                                  fmt::join(ports, " and ")));
     }
 }

@@ -23,7 +23,7 @@ namespace nezumi::hw {
 
 /// A job that executes the newest command. A wheel with rate 0 is held. If a motor fails, both are stopped
 /// independently, and are searched for every half second. The kernel stops a motor whose command is not repeated in
-/// time; so they stop even if engine and guard are killed at the same time.
+/// time, so the motors stop even if engine and guard are killed at the same time.
 class WheelMotors final : public DeviceJob {
 public:
     /// The command of the control loop.
@@ -34,13 +34,14 @@ public:
 
     static constexpr std::size_t count = 2;
 
-    /// Takes the brick's lease and starts the guard. `folder` is that of the class; `ports` are of the left and right
-    /// motor; `acceleration` [pulses/s^2] is a wheel's limit. Fails, with what to do, if a motor is missing (then
-    /// nothing was written) or if another program drives them.
+    /// Takes the brick's lease and starts the guard. `folder`: of the class; `ports`: of the left and the right motor;
+    /// `acceleration`: a wheel's limit [pulses/s^2]. Fails, with what to do, if a motor is missing (then nothing was
+    /// written) or if another program drives the motors.
     static Expected<std::unique_ptr<WheelMotors>> make(const DevicePath& folder,
                                                        const std::array<std::string, count>& ports,
                                                        double acceleration);
-    /// This guard also stops other motors of the brick: their nodes have the index `count` and above.
+    /// The guard of these motors. Other motors of the brick may be added to it: their nodes have the index `count` and
+    /// above.
     const std::shared_ptr<Guard>& guard() const { return guard_->guard(); }
 
     /// Called by the control loop at least once per tick. Without calls the motors are stopped.
@@ -48,7 +49,7 @@ public:
     /// The newest readings at `now` (`clock_seconds`), or nothing if they are not recent.
     std::optional<Sample<WheelValues>> newest(double now);
     std::vector<std::string> take_faults();
-    /// Whether a motor gives all its power and does not get its speed.
+    /// True if a motor gives full power but does not reach its speed.
     bool is_stalled() const { return is_stalled_; }
 
     double run() override;
@@ -91,7 +92,7 @@ private:
     double served_at_ = 0;
     double retry_at_ = 0;  // [s] while the motors are lost: time of the next search
     bool wants_to_turn_ =
-        false;  // of the newest command: it is executed after the guard has proved that it can stop them
+        false;  // of the newest command, which is executed after the guard has proved that it can stop the motors
 };
 
 }  // namespace nezumi::hw

@@ -19,9 +19,9 @@
 namespace nezumi::hw {
 namespace {
 
-constexpr double usual_dead_zone = 0.05;  // of a stick's way
+constexpr double usual_dead_zone = 0.05;  // as a part of a stick's range
 
-// Properties of gamepads and joysticks that keyboards, mice and touch pads do not have.
+// True for gamepads and joysticks: they have properties that keyboards, mice and touch pads do not have.
 bool is_gamepad(libevdev* device) {
     const auto has = [device](unsigned type, unsigned code) {
         return libevdev_has_event_code(device, type, code) == 1;
@@ -101,7 +101,7 @@ tl::expected<void, std::string> EvdevGamepad::take(Device device, const std::str
         const input_absinfo* range = libevdev_get_abs_info(device_.get(), code);
         if (range == nullptr) continue;
         const double reach = (range->maximum - range->minimum) / 2.0;
-        // Linux has y down.
+        // On Linux, the y axis points down.
         const double centre = code == ABS_X ? centre_x_ : code == ABS_Y ? -centre_y_ : 0;
         axes_.push_back({code, range->minimum, range->maximum,
                          dead_zone_ > 0    ? dead_zone_ * reach

@@ -15,13 +15,13 @@ struct libevdev;
 
 namespace nezumi::hw {
 
-/// A job. Opens the gamepad when it is plugged in, and again after it was unplugged.
+/// The job of reading a gamepad. Opens the gamepad when it is plugged in, and again after it was unplugged.
 class EvdevGamepad final : public DeviceJob {
 public:
-    /// `dev` is /dev or a folder in its place. Applies to device paths that begin with /dev/ too.
+    /// `dev` is /dev, or the folder that replaces it, also in device paths of the settings.
     EvdevGamepad(const std::string& dev, const GamepadSettings& settings);
 
-    /// Interval [s] of the search for it.
+    /// Interval [s] of the search for the gamepad.
     static constexpr double search_period = 1;
 
     /// Called by the control loop: the present state, or nothing if there is no gamepad or its thread hangs.
@@ -40,8 +40,8 @@ private:
     struct Axis {
         unsigned code;
         int least, most;
-        double flat;    // around the middle
-        double middle;  // where it rests
+        double flat;    // dead zone around the middle
+        double middle;  // value of the released stick
         double at(int value) const;
     };
 

@@ -55,7 +55,8 @@ bool send_with(int socket, GuardOrder& order, int file) {
     return sendmsg(socket, &message, MSG_DONTWAIT | MSG_NOSIGNAL) == static_cast<ssize_t>(sizeof order);
 }
 
-// The sockets of all guards of this process. The signal thread that ends the program uses them, and it knows no robots.
+// The sockets of all guards of this process. They are global, because the signal thread that ends the program has no
+// access to the robots.
 struct Sockets {
     Mutex mutex;
     std::vector<int> all;
@@ -77,7 +78,7 @@ void Guard::brake_all() {
     const GuardOrder order{.kind = GuardOrder::Kind::brake};
     for (const int socket : sockets().all)
         send(socket, &order, offsetof(GuardOrder, node), MSG_DONTWAIT | MSG_NOSIGNAL);
-    // An order still in the socket has not been executed.
+    // Waits, because an order that is still in the socket is not executed yet.
     const double end = clock_seconds() + std::chrono::duration<double>(longest_braking).count();
     for (const int socket : sockets().all) {
         int waiting = 0;
@@ -117,7 +118,7 @@ Guard::~Guard() {
     }
     close(socket_);
     kill(process_, SIGCONT);  // in case it was suspended
-    // A guard that hangs in the kernel is abandoned.
+    // Waits for the guard's end, but not for a guard that hangs in the kernel.
     if (const int guard = static_cast<int>(syscall(SYS_pidfd_open, process_, 0)); guard >= 0) {
         pollfd ended{.fd = guard, .events = POLLIN, .revents = 0};
         poll(&ended, 1, 1000);
@@ -152,7 +153,7 @@ tl::expected<void, NodeError> Guard::take_up(const Node& node, const Stop& stop)
 void Guard::say(GuardOrder::Kind kind, double now) {
     if (has_ended_) return;
     const GuardOrder order{.kind = kind, .tm = now};
-    // If the guard does not receive, its answers are missing, and that is noticed.
+    // A full socket is not an error here: if the guard does not receive, its answers are missing, which is noticed.
     const ssize_t sent = send(socket_, &order, offsetof(GuardOrder, node), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (sent < 0 && errno != EAGAIN && errno != EINTR) has_ended_ = true;
 }
@@ -166,7 +167,7 @@ void Guard::beat(double now) {
 }
 
 void Guard::rest() {
-    // A beat without an answer would cancel this order.
+    // Without an earlier beat the guard rests already.
     if (!std::exchange(beats_, false)) return;
     say(GuardOrder::Kind::rest);
 }
@@ -180,7 +181,7 @@ bool Guard::has_stopped() {
         if (length <= 0) return stopped;
         asked_at_ = 0;
         if (answer.kind == GuardAnswer::Kind::stopped) stopped = true;
-        // Ignores statements about nodes that were replaced.
+        // Ignores answers to beats from before the nodes were replaced.
         if (answer.kind == GuardAnswer::Kind::stopped || answer.tm < taken_up_at_) continue;
         if (answer.kind == GuardAnswer::Kind::proved) {
             proved_at_ = answer.tm;

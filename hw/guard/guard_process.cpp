@@ -24,7 +24,7 @@ struct GuardedNode {
     GuardOrder::Node what{};
 };
 
-// 0, or why the name of the file is gone.
+// Returns 0 if the file still has its name; otherwise why not, as an `errno`.
 int removal_of(int file) {
     struct stat status {};
     if (fstat(file, &status) != 0) return errno;
@@ -35,7 +35,7 @@ bool write_text(int file, const char* text) {
     const std::size_t size = std::strlen(text);
     struct stat status {};
     const bool is_plain = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
-    // A regular file in place of a device contains only the last write.
+    // A regular file that replaces a device contains only the last write.
     if (is_plain && ftruncate(file, 0) != 0) status = {};
     const ssize_t written = is_plain ? pwrite(file, text, size, 0) : write(file, text, size);
     return written == static_cast<ssize_t>(size);
@@ -65,8 +65,8 @@ void stop(const GuardedNode& node) {
 
 using Nodes = std::array<GuardedNode, GuardOrder::most_nodes>;
 
-// Each node in its own process, so that one that hangs does not delay the others. Returns when all are written, or
-// after `patience` [s].
+// Stops each node in a separate process, so that a node that hangs does not delay the others. Returns when all are
+// written, or after `patience` [s].
 void stop_all(const Nodes& nodes, int socket) {
     constexpr double patience = 0.1;
     const double begin = clock_seconds();
@@ -152,7 +152,7 @@ void be_guard(int socket, int lease, pid_t engine, const ProcessWords& words) {
                 say(socket, prove(nodes, order.tm));
                 break;
         }
-        // Undoes writes that came after.
+        // After the order `brake`, stops the motors again at each order: the engine may have written to them since.
         if (brakes) {
             stop_all(nodes, socket);
             say(socket, {.kind = GuardAnswer::Kind::stopped});

@@ -11,11 +11,11 @@
 
 namespace nezumi::hw {
 
-/// How a guard proves, without writing, that it could write to a node (docs/hardware.md describes it for each driver).
+/// How a guard proves that it could stop a node, without stopping it (docs/hardware.md describes it for each driver).
 enum class Proof : std::uint8_t {
-    none,         ///< no proof: this motion ends on its own
-    is_there,     ///< the node of the guard's descriptor has not been removed
-    empty_write,  ///< as above, and the node's driver accepts a write of no bytes
+    none,         ///< no proof is needed, because the motion ends on its own
+    is_there,     ///< the file of the guard's descriptor has not been removed
+    empty_write,  ///< like `is_there`, and the node's driver accepts a write of no bytes
 };
 
 /// A message from the engine to the guard, one packet each. Only `node` orders contain the member `node`, and carry a
@@ -24,7 +24,7 @@ struct GuardOrder {
     enum class Kind : std::uint8_t {
         beat,   ///< the motors have power or will have it, and the control loop is alive at `tm`
         rest,   ///< the motors have no power; beats may pause
-        node,   ///< also stop this node, in place of the one with the same index
+        node,   ///< from now on also stop this node, which replaces the node with the same index
         brake,  ///< stop all nodes, now and at each further beat: the engine is about to end
     };
     Kind kind = Kind::beat;
@@ -55,9 +55,9 @@ struct GuardAnswer {
 /// Time [s] that the guard waits for a beat, and that a proof is valid.
 inline constexpr double beat_timeout = 0.2;
 
-/// The guard's main function, until its engine has ended; never returns. `socket` leads to the engine, the process
-/// `engine`, whose command line was `words`. `lease` is kept open. Allocates nothing, because the engine's other
-/// threads do not exist after the fork.
+/// The guard's main function: runs until the engine has ended, and never returns. `socket` leads to the engine.
+/// `engine`: the engine's process. `words`: the memory of its command line. `lease` is kept open. Allocates nothing,
+/// because the engine's other threads do not exist after the fork, and one of them may have locked the memory.
 [[noreturn]] void be_guard(int socket, int lease, pid_t engine, const ProcessWords& words);
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// Parts a forked process from its engine.
+// Makes a forked process independent of its engine.
 #include "hw/guard/guard_setup.hpp"
 
 #include <fcntl.h>
@@ -35,7 +35,7 @@ void close_all_but(int a, int b) {
     if (nothing > STDERR_FILENO) close(nothing);
 }
 
-// Gets its own session, process group, name and command line.
+// Gives this process a separate session, process group, name and command line.
 void part_from_engine(const ProcessWords& words) {
     setsid();
     prctl(PR_SET_NAME, guard_name.data());
@@ -44,8 +44,8 @@ void part_from_engine(const ProcessWords& words) {
     std::memcpy(words.begin, guard_name.data(), guard_name.size());
 }
 
-// Ctrl-C in the engine's terminal must not end the guard, since the engine may take a while to end. Other signals are
-// as usual.
+// Ctrl-C in the engine's terminal must not end the guard, because the engine may take a while to end. Other signals
+// have their usual effect.
 void set_signals() {
     for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
     for (const int signal : {SIGINT, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP}) std::signal(signal, SIG_IGN);

@@ -1,11 +1,11 @@
-// The setup of the processes that outlive the engine in order to stop something.
+// The setup of processes that outlive the engine in order to stop motors or devices.
 #pragma once
 
 #include <cstddef>
 
 namespace nezumi::hw {
 
-/// The command line of a process, in its memory.
+/// The place of a process's command line in its memory.
 struct ProcessWords {
     char* begin = nullptr;  ///< null: not found
     std::size_t size = 0;
@@ -13,8 +13,9 @@ struct ProcessWords {
     static ProcessWords of_this();
 };
 
-/// Makes the calling process, just forked, independent of the engine: of its session, signals, name, and of all its
-/// files but these two. Returns a file that is readable when the thread that forked it has died. Allocates nothing.
+/// Makes the calling process, which was just forked, independent of the engine: gives it another session, name and
+/// signal handling, and closes all files except `socket` and `lease`. Returns a file that becomes readable when the
+/// thread that forked the process has died. Allocates nothing.
 int become_guard(int socket, int lease, const ProcessWords& words);
 
 }  // namespace nezumi::hw

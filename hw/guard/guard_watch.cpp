@@ -1,4 +1,4 @@
-// Turns the guard's actions into messages for people.
+// Reports the guard's actions as messages.
 #include "hw/guard/guard_watch.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ bool GuardWatch::may_turn(double now) {
 bool GuardWatch::must_stop(double now, bool they_turn) {
     const bool has_stopped = guard_->has_stopped();
     if (!has_stopped && (!they_turn || may_turn(now))) return false;
-    // Other problems are reported elsewhere.
+    // Only a stall of the control loop is reported here; `may_turn` and the caller report problems of the guard.
     const bool is_stall = has_stopped || !(guard_->has_ended() || guard_->is_late(now) || guard_->trouble());
     if (is_stall)
         health_.lost(

@@ -20,20 +20,21 @@ public:
     /// True if the motors may turn at `now` [s] (`clock_seconds`): the guard has just proved that it can stop them.
     /// Reports a guard that has ended or does not answer.
     bool may_turn(double now);
-    /// True if motors must be stopped: the guard has stopped them since the last call, or they turn and may not.
-    /// Reports it.
+    /// True if the motors must be stopped now: the guard has stopped them since the last call, or they turn without
+    /// permission. Reports the reason.
     bool must_stop(double now, bool they_turn);
-    /// Why the guard could not stop the motors, if so. Then the nodes must be opened again and given to `take_up`.
+    /// Why the guard could not stop the motors; nothing if it could. After a failure, the nodes must be opened again
+    /// and given to `take_up`.
     const std::optional<NodeError>& trouble() const { return guard_->trouble(); }
-    /// As `Guard::take_up`.
+    /// Calls `Guard::take_up`.
     tl::expected<void, NodeError> take_up(const Node& node, const Guard::Stop& stop) {
         return guard_->take_up(node, stop);
     }
-    /// For threads that give it further nodes.
+    /// The guard, for threads that give it further nodes.
     const std::shared_ptr<Guard>& guard() const { return guard_; }
-    /// The motors turn or will turn, because the control loop has just commanded it.
+    /// Sends a beat, because the control loop has just commanded a motion.
     void beat();
-    /// The motors stand, so no beats are needed.
+    /// Pauses the beats, because the motors stand.
     void rest() { guard_->rest(); }
     /// Readable when the guard has a message; -1 after it has ended.
     int file() const { return guard_->has_ended() ? -1 : guard_->file(); }

@@ -22,7 +22,7 @@
 namespace nezumi::hw {
 namespace {
 
-// True for the kernel's own nodes, false for a file in their place.
+// True for device nodes of the kernel, false for plain files that replace them.
 bool is_of_kernel(const std::string& node) {
     struct stat status {};
     struct statfs system {};
@@ -36,7 +36,7 @@ struct Address {
 
     explicit Address(const std::string& robot) {
         name.sun_family = AF_UNIX;
-        // The first byte is zero, so it is not a file name.
+        // The first byte is zero: this puts the name into the abstract namespace, without a file.
         const std::size_t length = std::min(robot.size(), sizeof name.sun_path - 1);
         std::copy_n(robot.data(), length, name.sun_path + 1);
         size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + length);
@@ -44,7 +44,7 @@ struct Address {
     const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&name); }
 };
 
-// The process that holds it; 0 if unknown, as in another container.
+// The process that holds the lease; 0 if unknown, for example in another container.
 pid_t holder(const Address& address) {
     const int file = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     ucred other{};
@@ -71,7 +71,7 @@ Expected<Lease> Lease::take(const std::string& driver, const std::string& node) 
     if (process == getpid())
         return failure(
             fmt::format("{}: another robot of this system drives these motors already: only one of them can "
-                        "be real, as by --hw=NAME",
+                        "be real, for example by --hw=NAME",
                         node));
     return failure(fmt::format("{}: another program{} drives this robot's motors: end it first, then try again", node,
                                process == 0 ? "" : fmt::format(" (process {})", process)));

@@ -8,14 +8,14 @@
 
 namespace nezumi::hw {
 
-/// A socket name that can exist only once per machine: independent of the robot's nodes. Processes forked from the
-/// holder hold it too: it is free when the last of them has closed it or ended. A container with its own network counts
-/// as a machine.
+/// The lease is a socket name, which can exist only once per machine; it does not depend on the robot's nodes.
+/// Processes forked from the holder hold the lease too: it is free when the last of them has closed it or ended. A
+/// container with a separate network counts as a machine.
 class Lease {
 public:
-    /// `driver` reaches the robot by `node`, one of its nodes or a folder of them. A machine has one robot per driver;
-    /// robots under other roots than /dev and /sys are separate. Fails if there is no such node, or if another program
-    /// holds it (with its process).
+    /// Takes the lease on the robot that `driver` reaches by `node`, a device node or a folder of them. A machine has
+    /// one robot per driver; robots under other roots than /dev and /sys are separate. Fails if the node does not
+    /// exist, or if another program holds the lease; the error names its process.
     static Expected<Lease> take(const std::string& driver, const std::string& node);
     /// A lease without a robot; it never conflicts.
     static Expected<Lease> of_nothing();

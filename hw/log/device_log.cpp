@@ -1,4 +1,4 @@
-// Words are separated by one blank. Texts are quoted, with non-printable characters escaped.
+// The fields of a line are separated by one blank. Texts are quoted, with non-printable characters escaped.
 #include "hw/log/device_log.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ constexpr std::array<std::pair<Kind, std::string_view>, 6> names{{{Kind::open_re
                                                                   {Kind::write, "write"},
                                                                   {Kind::list, "list"},
                                                                   {Kind::keys, "keys"}}};
-constexpr std::string_view never = "never";  // it did not return
+constexpr std::string_view never = "never";  // written instead of the duration if the call did not return
 
 std::string quoted_text(std::string_view text) {
     std::string all = "\"";
@@ -51,7 +51,7 @@ std::string error_name(int error) {
     return name != nullptr ? name : fmt::format("E{}", error);
 }
 
-// The number of "EIO" or of "E5"; 0: unknown.
+// The errno for the name "EIO" or "E5"; 0: unknown.
 int error_number(std::string_view name) {
     constexpr int most = 4095;  // the kernel's largest
     if (!name.starts_with('E')) return 0;
@@ -143,7 +143,7 @@ public:
         if (!began) return wrong("a time [s]", begin);
         call_.begin = *began;
         const auto spent = took == never ? std::numeric_limits<double>::infinity() : seconds(took).value_or(-1);
-        if (spent < 0) return wrong("how long it took [s]", took);
+        if (spent < 0) return wrong("a duration [s]", took);
         call_.took = spent;
         const auto kind =
             std::find_if(names.begin(), names.end(), [&](const auto& each) { return each.second == name; });
@@ -171,7 +171,8 @@ private:
     tl::expected<DeviceCall, std::string> result() {
         const std::string_view rest = words_.rest();
         if (call_.error = error_number(rest); call_.error != 0) return call_;
-        constexpr std::string_view expected[] = {"ok or an error as EIO", "how many bytes it took, or an error as EIO",
+        constexpr std::string_view expected[] = {"ok or an error such as EIO",
+                                                 "the number of written bytes, or an error such as EIO",
                                                  "a string in quotes, or an error such as EIO"};
         switch (call_.kind) {
             case Kind::open_read:

@@ -17,19 +17,19 @@ struct DeviceCall {
         open_write,  ///< opened for writing
         read,
         write,
-        list,  ///< of a folder
-        keys,  ///< pressed keys of an event device
+        list,  ///< listed a folder
+        keys,  ///< read the pressed keys of an event device
     };
     Kind kind = Kind::read;
-    std::string path;  ///< begins with /dev or /sys, even if other folders were in their place
+    std::string path;  ///< begins with /dev or /sys, even if the run used other folders instead
     double begin = 0;  ///< [s] since the start of the run
-    double took = 0;   ///< [s]; infinite: it did not return
+    double took = 0;   ///< [s] duration; infinite: the call did not return
     int error = 0;     ///< an errno; 0: none
     /// The text that was read or written, or the names of a folder with a '
     /// ' after each. A written text longer than `longest_text` is replaced by its `fingerprint`.
     std::string text;
-    std::size_t bytes = 0;  ///< number that the device accepted
-    int line = 0;           ///< line of the file
+    std::size_t bytes = 0;  ///< number of bytes that the device accepted
+    int line = 0;           ///< line in the log's file
 
     double end() const { return begin + took; }
     bool operator==(const DeviceCall&) const = default;
@@ -53,9 +53,9 @@ std::string start_line(double when);
 std::string end_line(double when);
 
 struct DeviceLog {
-    std::vector<DeviceCall> calls;  ///< in the order of the file, which is that of their ends
+    std::vector<DeviceCall> calls;  ///< in the order of the file: the call that returned first is first
     double start = 0;               ///< [s] start of the ticks
-    double length = 0;              ///< [s] end of the run, or of an incomplete log
+    double length = 0;              ///< [s] end of the run; of an incomplete log: the end of its last call
     bool is_torn = false;           ///< the last line is incomplete and left out
 };
 

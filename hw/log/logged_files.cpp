@@ -1,4 +1,4 @@
-// Logs a call's start too, so that a call that never returns is in the log.
+// Calls are noted when they start, so that a call that never returns is in the log too.
 #include "hw/log/logged_files.hpp"
 
 #include <limits>
@@ -67,7 +67,7 @@ LoggedFiles::LoggedFiles(ResultFile file, DeviceRoots roots)
 
 double LoggedFiles::now() const { return clock_seconds() - began_; }
 
-// Restores /dev and /sys, so that a log is valid on another machine.
+// Replaces the folders used instead of /dev and /sys by these names, so that the log is valid on another machine.
 std::string LoggedFiles::canonical(const std::string& path) const {
     const bool is_sys =
         is_under(roots_.sys, path) && (roots_.sys.size() > roots_.dev.size() || !is_under(roots_.dev, path));

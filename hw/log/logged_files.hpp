@@ -1,4 +1,4 @@
-// Device files whose accesses are written to a device log.
+// Accesses device files and writes each access to a device log.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace nezumi::hw {
 
-/// Writes each line in one call as soon as the access has returned, so the log of a killed process has whole lines. If
-/// the log can't be written, the devices still work.
+/// Each line is written in one call as soon as the access has returned, so the log of a killed process has complete
+/// lines. If the log can't be written, the devices still work.
 class LoggedFiles final : public DeviceFiles, public std::enable_shared_from_this<LoggedFiles> {
 public:
     /// Starts a log of accesses through `roots`. An older log of the same name is kept until `close`. Fails if the file
@@ -29,20 +29,20 @@ public:
     Answer<std::vector<std::string>> list(const std::string& folder) override;
     bool are_real() const override { return roots_.files->are_real(); }
 
-    /// The ticks start.
+    /// Logs that the ticks start.
     void start();
-    /// The run has ended; the robots will be stopped.
+    /// Logs that the run has ended. Later lines show how the robots are stopped.
     void end();
-    /// The errno that ended writing; 0: none.
+    /// The errno of the error after which nothing more is written to the log; 0: none.
     int problem() const { return writer_.problem(); }
     /// Drops what is not written yet, so that `close` returns soon. Any thread may call it.
     void give_up() { writer_.give_up(); }
     /// The log's file, and the place of the older log.
     const ResultFile& file() const { return file_; }
-    /// Writes the rest, including calls that have not returned. Returns an errno or 0. Call it once.
+    /// Writes the rest of the log, including the calls that have not returned. Returns an errno or 0. Call it once.
     int close();
 
-    /// Executes a call and logs it. `answer` returns its result and fills in the line.
+    /// Logs a call. `answer` executes it, completes the fields of `call`, and returns the result.
     template <class Do>
     auto logged(DeviceCall call, Do answer) {
         const std::uint64_t number = begin(call);

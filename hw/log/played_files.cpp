@@ -15,9 +15,9 @@ namespace {
 
 using Kind = DeviceCall::Kind;
 
-// Time [s] to wait for a call of the log that begins slightly later than now.
+// A call of the log that begins at most this time [s] later than now is already used.
 constexpr double patience = 0.02;
-// Longer calls [s] other than readings hang in the replay too; shorter ones take their own time.
+// Calls other than reads that took longer [s] in the log hang in the replay too. Shorter ones do not wait.
 constexpr double hang = 0.05;
 
 WriteComparison::Writes writes_of(const DeviceLog& log) {
@@ -83,7 +83,7 @@ std::vector<std::string> PlayedFiles::finish() {
 
 PlayedFiles::Track& PlayedFiles::track(Kind kind, const std::string& path) { return tracks_[{kind, path}]; }
 
-// The last call that has begun by now, otherwise the first. Null: no call.
+// The last call that has begun by now; before the first call, the first one. Null: there are no calls.
 const DeviceCall* PlayedFiles::newest(const Track& track) const {
     if (track.calls.empty()) return nullptr;
     const auto next = std::upper_bound(track.calls.begin(), track.calls.end(), now() + patience,
@@ -92,7 +92,7 @@ const DeviceCall* PlayedFiles::newest(const Track& track) const {
 }
 
 void PlayedFiles::wait_for(Lock& lock, const DeviceCall& call) {
-    // A call that has not begun yet is already known.
+    // Does not wait for a call that begins later: its result is returned immediately.
     while (!is_finished_ && call.begin <= now() + patience && now() < call.end()) {
         const double left = std::min(call.end() - now(), 1.0);
         over_.wait_for(lock, std::chrono::duration<double>(left));

@@ -1,4 +1,4 @@
-// Device files that replay a device log at its times: the drivers run without the robot.
+// Replays a device log as device files, at the times of the log: the drivers run without the robot.
 #pragma once
 
 #include <condition_variable>
@@ -13,22 +13,22 @@
 
 namespace nezumi::hw {
 
-/// A read returns the log's next value when its time comes; a late reader gets the newest value, and a frequent reader
-/// the last one again. Calls that failed or hung in the log do so again. Writes are compared with the log. Times are
-/// those of `clock_seconds` since construction, or as set by `start`.
+/// A read returns the log's next value when its time comes. A driver that reads late gets the newest value; one that
+/// reads more often gets the same value again. Calls that failed or hung in the log do so again. Writes are compared
+/// with the log. Times are those of `clock_seconds` since construction, or as set by `start`.
 class PlayedFiles final : public DeviceFiles, public std::enable_shared_from_this<PlayedFiles> {
 public:
     /// `file` is the log's name in messages.
     PlayedFiles(DeviceLog log, const std::string& file);
     ~PlayedFiles() override;
 
-    /// The ticks start: the log's time is set to its own start.
+    /// Call it when the ticks start: sets the time of the replay to the start of the ticks in the log.
     void start();
-    /// True at the end of the log.
+    /// True if the time is after the end of the log.
     bool is_over() const;
     /// Returns the new differences from the log, one line each.
     std::vector<std::string> take_differences();
-    /// Ends the run: compares the rest as far as possible. Reads that hang return.
+    /// Ends the replay: compares the rest as far as possible, and lets calls that hang return.
     std::vector<std::string> finish();
     const WriteComparison& comparison() const { return comparison_; }
 

@@ -78,11 +78,11 @@ std::vector<std::string> WriteComparison::compare(double now) {
     for (auto& [path, written] : written_) {
         const std::vector<Write>& logged = logged_[path];
         Progress& progress = progress_[path];
-        // In order of time: the older write of the two runs first.
+        // Compares the writes of both runs in order of time.
         for (;;) {
             const Write* was = progress.logged < logged.size() ? &logged[progress.logged] : nullptr;
             const Write* is = progress.written < written.size() ? &written[progress.written] : nullptr;
-            // Writes near the end are not decided: half of their window is missing.
+            // Writes near the end are not compared yet, because the later half of their window is missing.
             if (was != nullptr && (was->tm > now - window || was->tm > end_ - window)) was = nullptr;
             if (is != nullptr && is->tm > now - window) is = nullptr;
             if (was == nullptr && is == nullptr) break;

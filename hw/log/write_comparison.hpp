@@ -7,8 +7,8 @@
 
 namespace nezumi::hw {
 
-/// Two runs are never exactly simultaneous, and a ramp has different steps each time. A write matches if within
-/// `window` of it the other run had the same text in that file, or numbers around it.
+/// Two runs never have exactly the same times, and a ramp has different steps in each run. So a write matches if,
+/// within `window` of its time, the other run had the same text in that file, or a smaller and a larger number.
 class WriteComparison {
 public:
     struct Write {
@@ -19,7 +19,7 @@ public:
     using Writes = std::map<std::string, std::vector<Write>, std::less<>>;  ///< by path, in order of time
 
     static constexpr double window = 0.2;  ///< [s]
-    /// Numbers differ if their distance is more than this part of the larger one, and more than `least`.
+    /// Two numbers differ if their distance is more than `part` times the larger one, and more than `least`.
     static constexpr double part = 0.1, least = 5;
 
     /// `file` is the log's name; its writes from `start` to `end` [s] are compared.
@@ -28,7 +28,7 @@ public:
 
     /// Records a write. `tm` must not be smaller than in any earlier call, for any file.
     void wrote(const std::string& path, double tm, std::string text);
-    /// The clock was set: all earlier writes are moved later by `seconds`.
+    /// Moves all earlier writes later by `seconds`, because the clock was set.
     void move_written(double seconds);
     /// Compares everything that can be decided at `now` [s]. Returns one line per file at the start of a difference.
     std::vector<std::string> compare(double now);

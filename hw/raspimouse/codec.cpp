@@ -1,4 +1,4 @@
-// Strict: only texts exactly in the driver's format are values.
+// Only texts exactly in the driver's format are accepted.
 #include "hw/raspimouse/codec.hpp"
 
 #include <charconv>

@@ -9,7 +9,8 @@
 
 namespace nezumi::hw {
 
-/// Right front, right side, left side, left front: lit minus ambient light, 12 bits, so slightly negative at times.
+/// Right front, right side, left side, left front. A value is the light with the LED on minus that with the LED off, 12
+/// bits each; so it may be slightly negative.
 using LightValues = std::array<int, 4>;
 
 /// Reads "1 2 3 4
@@ -19,8 +20,8 @@ std::optional<LightValues> decode_lights(std::string_view text);
 /// " is pressed, "1
 /// " is open.
 std::optional<bool> decode_switch(std::string_view text);
-/// Reads `/dev/rtcounter_l0` or `_r0`: 0 to 65535. Signed numbers, which appear after another program has opened the
-/// signed node, wrap into the same range.
+/// Reads `/dev/rtcounter_l0` or `_r0`: 0 to 65535. Negative numbers are converted to this range modulo 65536: the
+/// driver gives signed numbers after another program has opened the signed node.
 std::optional<std::uint16_t> decode_counter(std::string_view text);
 
 /// An integer for the raw motor nodes and the buzzer: digits and a sign only.

@@ -5,7 +5,7 @@
 
 namespace nezumi::hw {
 
-/// The values of the nodes of motors and buzzer.
+/// The values of the device files of motors and buzzer.
 struct MotorState {
     bool power = false;
     int left = 0;   ///< [pulses/s], forward positive

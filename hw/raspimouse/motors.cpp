@@ -1,4 +1,5 @@
-// Every command needs the guard's beat: if the control loop or a node hangs, the guard stops the motors.
+// Every command sends a beat to the guard: if the control loop or a device hangs, beats are missing, and the guard
+// stops the motors.
 #include "hw/raspimouse/motors.hpp"
 
 #include <array>
@@ -76,8 +77,8 @@ tl::expected<void, NodeError> Motors::stop_all() {
     return {};
 }
 
-// Without power there is no motion, so the guard proves mainly that it can switch it off. The driver logs a kernel
-// message for each empty write to the motors themselves.
+// Gives the guard the nodes. Only the power's node is proved by an empty write, because without power there is no
+// motion, and the kernel's driver logs a message for each empty write to a motor's node.
 tl::expected<void, NodeError> Motors::be_guarded() {
     const std::array nodes{&power_, &left_, &right_};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -106,7 +107,7 @@ bool Motors::has_to_stop(double now, bool they_turn) {
     return true;
 }
 
-// The motors were stopped: the earlier command is void, even if the control loop stays silent.
+// Forgets the last command, because the motors were stopped: it must not start them again.
 void Motors::forget() {
     follow({});
     goal_ = {};
@@ -157,8 +158,8 @@ bool Motors::write(const MotorWrite& write) {
 }
 
 bool Motors::perform(const MotorState& goal) {
-    // While this thread was suspended, the guard may have stopped the motors or been suspended itself. Then the goal is
-    // void.
+    // While this thread was suspended, the guard may have stopped the motors or been suspended too. Then the goal is no
+    // longer valid.
     const auto is_void = [&] { return has_to_stop(clock_seconds(), goal.power); };
     for (const MotorWrite& each : plan(state_, goal)) {
         if (is_void()) return true;
@@ -196,7 +197,7 @@ double Motors::run() {
 }
 
 void Motors::end() {
-    // Each on its own: a motor that fails must not keep the other one running. The guard then does the same.
+    // Each motor is stopped separately: if one fails, the other must still stop. The guard then stops them again.
     static_cast<void>(stop_all());
     if (state_.tone != 0) static_cast<void>(buzzer_.write(encode_number(0)));
 }

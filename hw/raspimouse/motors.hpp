@@ -19,7 +19,7 @@
 
 namespace nezumi::hw {
 
-/// The commands to both motors, for the thread that counts pulses.
+/// The pulses commanded to both motors, for the thread that reads the wheel counters.
 struct CommandedWheels {
     CommandedPulses left, right;
     /// Increased when the driver's nodes were removed: then the motors' commands are lost too.
@@ -33,9 +33,9 @@ struct MotorCommand {
     int tone = 0;        ///< [Hz]; 0: silent
 };
 
-/// A job that executes the newest command. Motor power is off until a command needs it. It goes off when no command
-/// needs it, after some time of standstill, when the guard has stopped the robot, and when a motor fails: then both
-/// stop and are tried again every half second.
+/// A job that executes the newest command. Motor power is off until a command needs it. It is switched off when no
+/// command needs it, after some time of standstill, when the guard has stopped the robot, and when a motor fails. After
+/// a failure both motors are stopped, and tried again every half second.
 class Motors final : public DeviceJob {
 public:
     /// Takes the robot's lease, starts the guard, stops all motors and switches their power off. `folder` has the
@@ -57,7 +57,7 @@ public:
 private:
     Motors(const DevicePath& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration,
            double standing_power);
-    /// Stops all motors and switches their power off in any state. Every node is written, even after an error.
+    /// Stops both motors and switches their power off, whatever their state is. Writes every node, even after an error.
     tl::expected<void, NodeError> stop_all();
     tl::expected<void, NodeError> be_guarded();
     void reopen(const std::string& why);
@@ -82,10 +82,10 @@ private:
     MotorState goal_;
     double served_at_ = 0;
     double moved_at_ = 0;  // when motion was last commanded, or power first wanted
-    double retry_at_ = 0;  // while they are lost: time of the next try
+    double retry_at_ = 0;  // while the motors are lost: time of the next try
     bool has_power_command_ = false;
     bool wants_power_ =
-        false;  // of the newest command: it is executed after the guard has proved that it can stop the motors
+        false;  // of the newest command, which is executed after the guard has proved that it can stop the motors
 };
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// Assigns the mouse's devices to the described sensors, and converts their times to the system's.
+// Assigns the mouse's devices to the sensors of the robot file, and converts their times to the system's time.
 #include "hw/raspimouse/mouse_body.hpp"
 
 #include <fmt/format.h>

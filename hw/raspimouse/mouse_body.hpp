@@ -20,7 +20,7 @@
 
 namespace nezumi::hw {
 
-/// Never blocks on a device: each has its own thread.
+/// Functions never block on a device, because each device has its own thread.
 class MouseBody final : public RobotBody {
 public:
     /// A range sensor of the spec is the light sensor of its `port`, "0" (right front) to "3"; a button is the switch
@@ -48,7 +48,7 @@ private:
     // The index of a sensor in the spec, and the index of its device.
     struct Wired {
         std::size_t sensor, channel;
-        int converted = 0;  // the raw value of its present reading
+        int converted = 0;  // the raw value that the present reading was computed from
     };
     static Expected<std::vector<Wired>> wire(const RobotSpec& spec, SensorSpec::Kind kind, std::string_view port_begin,
                                              std::size_t devices);

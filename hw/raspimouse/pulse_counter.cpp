@@ -1,4 +1,4 @@
-// Accepts a reading that fits the commands; others only if they are repeated.
+// Accepts a reading that fits the commands. Any other reading must be confirmed by further readings.
 #include "hw/raspimouse/pulse_counter.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ int counted(std::uint16_t earlier, std::uint16_t later) { return static_cast<std
 // holds until its period ends.
 double most(double commanded) { return commanded * 1.25 + 24; }
 
-// This many commanded pulses without a count show that the counter can't be read.
+// If the count is still 0 after this number of commanded pulses, the counter can't be read.
 constexpr double silent_pulses = 64;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Computes the travel of a wheel from its counter, which should have the pulses that were commanded.
+// Computes the travel of a wheel from its counter and from the commanded pulses, which the counter should agree with.
 #pragma once
 
 #include <cstdint>
@@ -30,24 +30,25 @@ private:
     double since_ = 0;
 };
 
-/// The counter counts the motor's pulses modulo 65536 without direction. The direction comes from the commands, in
-/// proportion. The count follows the commands, so a very different number is an error: a torn byte (off by 256), a 0
-/// for a failed reading, or a new starting value because the module was loaded again or another program has switched it
-/// to signed numbers.
+/// The counter counts the motor's pulses modulo 65536 without direction. If both directions were commanded since the
+/// last reading, the pulses are divided in proportion to the commands. The count follows the commands, so a very
+/// different number is an error: a torn byte (off by 256), a 0 for a failed reading, or a new starting value because
+/// the module was loaded again or another program has switched the counter to signed numbers.
 class PulseCounter {
 public:
     enum class Verdict {
         taken,    ///< accepted; its pulses were counted
         doubted,  ///< ignored; the next reading may explain it
-        zero,     ///< the reading failed: a wrong 0
-        /// The counter has a new starting value; the commanded pulses are used for the jump. The next reading is
-        /// accepted as it is, so the node may be opened again before it.
+        zero,     ///< ignored: the 0 means that the reading failed
+        /// The counter has a new starting value; the commanded pulses are counted instead. The next reading is accepted
+        /// with any value, so the node may be opened again before.
         jumped,
     };
 
     /// Takes a reading and the pulses commanded until then. The first reading is the starting value.
     Verdict take(std::uint16_t reading, const PulseTotals& commanded);
-    /// The next reading may have any value, because the counter was away. The commanded pulses are used for the gap.
+    /// Call it after the counter was away: the next reading may have any value, and the commanded pulses are counted
+    /// for the gap.
     void begin_anew() { begins_anew_ = started_; }
     /// Pulses since the first reading, forward positive.
     std::int64_t pulses() const { return pulses_; }

@@ -1,4 +1,4 @@
-// How each of the mouse's sensors is read, and which readings are ignored.
+// Reads the mouse's sensors, and ignores wrong readings.
 #include "hw/raspimouse/sensors.hpp"
 
 #include <fmt/format.h>
@@ -71,7 +71,7 @@ tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& whee
         const bool is_gone = text.error().code == ENODEV || text.error().code == ENOENT;
         if (is_gone) wheel.counter.begin_anew();
         if (is_gone && std::exchange(was_there_, false)) ++commanded_->driver_losses;
-        // The motors' nodes are there: the driver is loaded, and has found no counters.
+        // The motors' nodes exist, so the driver is loaded, but it has found no counters.
         if (text.error().code == ENOENT && !was_there_)
             return tl::unexpected(
                 fmt::format("{}: the driver has not found them on I2C. {}", describe(text.error()), counters_on_i2c));
@@ -80,7 +80,7 @@ tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& whee
     const auto reading = decode_counter(*text);
     if (!reading) return tl::unexpected(not_understood(wheel.node, *text, "a number from 0 to 65535"));
     const Verdict verdict = wheel.counter.take(*reading, commanded.until(tm));
-    // The program that opened a node last determines whether its numbers are signed.
+    // The program that opened the node last determines whether its numbers are signed. Opening it again corrects that.
     if (verdict == Verdict::jumped) wheel.node.close();
     if (verdict == Verdict::taken || verdict == Verdict::jumped) wheel.rate.take(tm, wheel.counter.pulses());
     return verdict;

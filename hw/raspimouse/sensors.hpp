@@ -18,7 +18,7 @@ class LightSensors final : public Sampler<LightValues> {
 public:
     explicit LightSensors(const DevicePath& folder);
 
-    /// After this number of `0 0 0 0` in a row the sensors do not measure: noise alone would give other values.
+    /// This number of readings `0 0 0 0` in a row means that the sensors do not measure: noise would give other values.
     static constexpr int zeros_to_doubt = 100;
 
 protected:

@@ -1,4 +1,4 @@
-// Whole pulses per second: rounded, limited, and without low rates while the speed changes.
+// A rate is a whole number of pulses per second, limited. Low rates are skipped while the speed changes.
 #include "hw/raspimouse/step_rate.hpp"
 
 #include <algorithm>

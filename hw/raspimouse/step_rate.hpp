@@ -12,13 +12,13 @@ class StepRate {
 public:
     static constexpr int lowest = 20;      ///< [pulses/s], 7.5 mm/s with the mouse's wheels
     static constexpr int at_once = 50;     ///< [pulses/s] possible from standstill
-    static constexpr int highest = 10000;  ///< [pulses/s] of the driver
+    static constexpr int highest = 10000;  ///< [pulses/s] limit of the kernel's driver
 
     /// `metres_per_pulse` of the wheel's rim; `acceleration` [m/s^2] is the limit of the rim.
     StepRate(double metres_per_pulse, double acceleration)
         : metres_per_pulse_(metres_per_pulse), acceleration_(acceleration) {}
 
-    /// The rate for `speed` [m/s] after the motor had `held` [pulses/s] for `elapsed` [s].
+    /// The next rate for `speed` [m/s], if the motor had the rate `held` [pulses/s] for the last `elapsed` [s].
     int next(double speed, int held, double elapsed);
 
 private:

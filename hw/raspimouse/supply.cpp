@@ -1,4 +1,4 @@
-// Finds the Pi's voltage monitor by its name, because its number has no meaning.
+// Finds the Pi's voltage monitor by its name, because the number in its path is not fixed.
 #include "hw/raspimouse/supply.hpp"
 
 #include "hw/raspimouse/advice.hpp"

@@ -1,4 +1,4 @@
-// Whether the Raspberry Pi has enough voltage, read on its own thread.
+// Checks on its own thread whether the supply voltage of the Raspberry Pi is high enough.
 #pragma once
 
 #include <atomic>
@@ -10,8 +10,8 @@
 
 namespace nezumi::hw {
 
-/// The kernel's alarm for the Pi's supply (driver raspberrypi-hwmon): on below 4.63 V, off at least 2 s later. Counts
-/// as failed while it is on. A machine without this driver reports nothing.
+/// Reads the kernel's alarm for the Pi's supply (driver raspberrypi-hwmon): on below 4.63 V, off at least 2 s later.
+/// The supply counts as failed while the alarm is on. A machine without this driver reports nothing.
 class Supply final : public Sampler<bool> {
 public:
     /// `folder` of the class hwmon.

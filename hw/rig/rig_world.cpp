@@ -1,4 +1,4 @@
-// Requests and answers as lines; within a tick each answer is cached.
+// Requests and answers are lines. An answer is valid for the whole tick.
 #include "hw/rig/rig_world.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ public:
     Witness(const Witness&) = delete;
     Witness& operator=(const Witness&) = delete;
 
-    // Returns the answer without the line with the dot.
+    // Sends a request. Returns the answer without its last line, the dot.
     Expected<std::string> ask(const std::string& line) {
         const std::string text = line + "\n";
         if (send(socket_, text.data(), text.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(text.size())) return lost();

@@ -1,15 +1,15 @@
 // Firmware of the rover: lines on USB set its speeds, and it answers with its encoders' counts.
 //
 //   v 0.100 -0.250   from the robot's computer: speed [m/s] and yaw rate [rad/s, counter-clockwise]
-//   e 1203 1187      to it, 50 times a second: counts of the left and right encoder since the start
-//   r 0.532          to it, 20 times a second: free way ahead [m]
-//   b 7.41           to it, once a second: the battery [V]
+//   e 1203 1187      to the computer, 50 times a second: counts of the left and right encoder since the start
+//   r 0.532          to the computer, 20 times a second: free distance ahead [m]
+//   b 7.41           to the computer, once a second: the battery [V]
 //
-// Every other line is ignored, an empty one too. Without a line for 0.3 s the motors stop: when the cable is pulled, or
-// the computer loses its power, nothing else can stop the rover. Keep this time-out in a firmware of your own.
+// Every other line is ignored, also an empty one. If no line "v" comes for 0.3 s, the motors stop: when the cable is
+// pulled, or the computer loses its power, nothing else can stop the rover. Keep this time-out in your own firmware.
 //
 // For an Arduino Uno or Nano with a dual motor driver (two direction pins and a PWM pin for each motor) and quadrature
-// encoders. Adapt the pins, and the constants to your wheels.
+// encoders. Adapt the pins and the constants to your robot.
 
 const int left_pwm = 5, left_ahead = 7, left_back = 8, right_pwm = 6, right_ahead = 9, right_back = 10;
 const int left_a = 2, left_b = 4, right_a = 3, right_b = 11;
@@ -39,7 +39,7 @@ void set_motor(int pwm_pin, int ahead_pin, int back_pin, float wanted, float mea
   analogWrite(pwm_pin, (int)constrain(fabs(power), 0.0, 255.0));
 }
 
-// "v SPEED RATE", whole and nothing else.
+// Takes a line, which must be exactly "v SPEED RATE".
 void take_line() {
   if (line[0] != 'v' || line[1] != ' ') return;
   char *end = line + 2;

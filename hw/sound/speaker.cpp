@@ -1,4 +1,4 @@
-// Writes sounds to WAV files without a name, the standard input of ALSA's player.
+// Sounds are written to unnamed WAV files, which are the standard input of ALSA's player.
 #include "hw/sound/speaker.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 constexpr const char* player = "aplay";
 constexpr double longest_sound = 120;  // [s]
 
-// The first one found is used.
+// The first installed speech program; "" if there is none.
 std::string speech_program() {
     for (const char* program : {"espeak-ng", "espeak"}) {
         if (can_run(program)) return program;
@@ -58,7 +58,7 @@ std::vector<std::string> Speaker::take_faults() {
     return all;
 }
 
-// Makes speech as a WAV file. Returns "" or the reason of the failure.
+// Speaks `text` into the WAV file `output`. Returns the reason of a failure, or "".
 std::string Speaker::synthesize(const std::string& text, int output) {
     const std::string program = speech_program();
     if (program.empty()) return "espeak-ng is not installed: sudo apt install espeak-ng";
@@ -90,7 +90,7 @@ double Speaker::run() {
         if (!waiting_.empty()) {
             sound = std::move(waiting_.front());
             waiting_.pop_front();
-            is_silenced_ = has_ended_.load();  // a silence ends with the next sound
+            is_silenced_ = has_ended_.load();  // `silence` ends only sounds that were played before it
         }
     }
     if (!sound) return idle;

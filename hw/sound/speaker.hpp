@@ -17,11 +17,11 @@
 
 namespace nezumi::hw {
 
-/// A job. Both programs run without a shell and get the sound as standard input. A missing program is reported once,
-/// and the robot is silent.
+/// The job of playing sounds. The player and the speech program run without a shell and read their standard input. If a
+/// program is missing, this is reported once, and its sounds are not played.
 class Speaker final : public DeviceJob {
 public:
-    /// `device` as named by ALSA ("plughw:1"); "" is its default.
+    /// `device`: ALSA's name ("plughw:1"); "" is ALSA's default.
     explicit Speaker(std::string device = "") : device_(std::move(device)) {}
 
     /// Longest queue; further sounds are dropped.
@@ -51,7 +51,7 @@ private:
 /// The loudspeaker of a robot with its thread, which starts with the first sound.
 class Loudspeaker {
 public:
-    /// Its device is the `port` of the spec's first speaker.
+    /// Uses the `port` of the spec's first speaker as ALSA's device.
     explicit Loudspeaker(const RobotSpec& spec);
     /// Ends the present sound.
     ~Loudspeaker();

@@ -21,7 +21,9 @@ Expected<std::unique_ptr<DeviceWriter>> DeviceWriter::start(Lease lease) {
             "nezumi is process 1 of its container. When it ends, the container ends too, and nothing can stop the "
             "device. Start nezumi from a shell that ends later, for example: sh -c 'nezumi run ...; sleep 1'");
     std::array<int, 2> ends{};
-    const auto refuse = [] { return failure(std::string("no process that writes: ") + std::strerror(errno)); };
+    const auto refuse = [] {
+        return failure(std::string("can't start the process that writes: ") + std::strerror(errno));
+    };
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return refuse();
     const pid_t engine = getpid();
     const ProcessWords words = ProcessWords::of_this();
@@ -38,7 +40,7 @@ Expected<std::unique_ptr<DeviceWriter>> DeviceWriter::start(Lease lease) {
 DeviceWriter::~DeviceWriter() {
     close(socket_);
     kill(process_, SIGCONT);  // in case it was suspended
-    // A process that hangs in the kernel is abandoned.
+    // Waits for the writer's end, but not for a writer that hangs in the kernel.
     if (const int file = static_cast<int>(syscall(SYS_pidfd_open, process_, 0)); file >= 0) {
         pollfd ended{.fd = file, .events = POLLIN, .revents = 0};
         poll(&ended, 1, 1500);
@@ -70,7 +72,7 @@ int DeviceWriter::order(const WriterOrder& order, std::string_view bytes, std::s
 int DeviceWriter::give(const WriteTarget& target, const std::string& end, const std::string& safe) const {
     std::array<int, most_files> files{target.file};
     std::size_t count = 1;
-    // Channels are without gaps.
+    // The used channels come first, so their files are sent in order.
     for (const int file : target.pwm) {
         if (file >= 0) files[count++] = file;
     }

@@ -1,4 +1,4 @@
-// Messages by their ends, their length, or COBS.
+// Messages are separated by end bytes, by their length, or by COBS.
 #include "hw/wire/framing.hpp"
 
 namespace nezumi::hw {

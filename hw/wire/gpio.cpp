@@ -97,12 +97,12 @@ public:
         return std::make_unique<GpioWire>(std::move(node->file), std::move(outs), std::move(ins), std::move(duty),
                                           inputs());
     }
-    // Lines and channels stay as they are.
+    // Only opens the chip, so that lines and channels do not change.
     OrWhy<void> examine() const override {
         const auto node = open_chip();
         return node ? OrWhy<void>() : tl::unexpected(node.error());
     }
-    // The kernel gives a line to one program only. Channels it gives to all.
+    // The kernel gives a line to only one program, but a PWM channel to any. So only channels need a lease.
     Expected<Lease> lease() const override {
         std::error_code none;
         if (channels().empty() || is_plain() || !std::filesystem::exists(pwm_folder_, none)) return Lease::of_nothing();
@@ -115,7 +115,7 @@ public:
         return std::string(reinterpret_cast<const char*>(&*levels), sizeof *levels);
     }
     std::string encode_safe(std::string_view safe) const override {
-        return safe.empty() ? "" : encode(safe).value_or("");  // it has been checked
+        return safe.empty() ? "" : encode(safe).value_or("");  // `safe` was checked before
     }
     bool has_times() const override { return true; }
     std::string why_lost(int error) const override { return with_wire_advice(path_, error, gpio_chip); }
@@ -172,7 +172,7 @@ private:
         return with_wire_advice(path_, error, gpio_chip);
     }
 
-    // Its file of the duty.
+    // Sets up a PWM channel and returns its file duty_cycle.
     OrWhy<Descriptor> open_channel(std::int64_t channel) const {
         const std::string folder = fmt::format("{}/pwm{}", pwm_folder_, channel);
         const auto refuse = [&](int error) {
@@ -184,13 +184,13 @@ private:
         if (!std::filesystem::exists(folder, none)) {
             if (const int error = write_attribute(pwm_folder_ + "/export", std::to_string(channel)); error != 0)
                 return refuse(error);
-            // udev gives the group its permission a little later.
+            // udev sets the permission for the group a little later.
             const double end = clock_seconds() + 0.5;
             while (!open_attribute(folder + "/duty_cycle") && clock_seconds() < end) usleep(5000);
         }
         Descriptor duty = open_attribute(folder + "/duty_cycle");
         if (!duty) return refuse(errno);
-        // A duty may never be longer than the period; a channel that never ran has a period of 0.
+        // The kernel refuses a period that is shorter than the duty, so the duty is set to 0 first.
         write_attribute(folder + "/duty_cycle", "0");
         if (const int error = write_attribute(folder + "/period", std::to_string(period_)); error != 0)
             return refuse(error);

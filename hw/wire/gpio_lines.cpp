@@ -38,7 +38,7 @@ Descriptor get_lines(int chip, gpio_v2_line_request& request) {
 int set_duty(int file, std::uint64_t nanoseconds) {
     std::array<char, 24> text{};
     const char* end = std::to_chars(text.data(), text.data() + text.size(), nanoseconds).ptr;
-    // Empties a plain file that is in its place. The kernel's files ignore this.
+    // Empties a plain file that replaces the kernel's file in tests. The kernel's files ignore this.
     if (ftruncate(file, 0) != 0 && errno == EIO) return errno;
     return pwrite(file, text.data(), static_cast<std::size_t>(end - text.data()), 0) < 0 ? errno : 0;
 }

@@ -14,35 +14,38 @@
 
 namespace nezumi::hw {
 
-/// Levels for output lines and PWM channels, by their index among the requested ones. It is what the writer gets.
+/// Levels for output lines and PWM channels, by their index among the requested ones. The writer's process receives
+/// messages in this form.
 struct GpioLevels {
-    std::uint64_t lines = 0;   ///< one bit for each line that is set
-    std::uint64_t levels = 0;  ///< its level
+    std::uint64_t lines = 0;   ///< a bit for each line: 1 if it is to be set
+    std::uint64_t levels = 0;  ///< a bit for each line: its new level
     std::uint8_t channels = 0;
     std::array<std::uint64_t, most_pwm_channels> duty{};  ///< [ns] of each of `channels`
 };
 
-/// Sets them; 0 or an `errno`. Allocates nothing. `pwm`: of each channel its open file duty_cycle.
+/// Sets lines and channels. Returns an `errno`, or 0. Allocates nothing. `pwm`: the open file duty_cycle of each
+/// channel.
 int set_gpio(int lines, const std::array<int, most_pwm_channels>& pwm, const GpioLevels& levels);
 
 /// Requests lines of a chip as outputs and sets their levels at once, one bit a line. Returns an empty descriptor and
 /// sets `errno` if a line does not exist or is in use (EBUSY).
 Descriptor request_outputs(int chip, const std::vector<std::int64_t>& lines, std::uint64_t levels);
 enum class Pull { none, up, down };
-/// Requests lines whose edges are reported. `debounce`: [s] that a level must last; 0: every edge counts.
+/// Requests lines as inputs whose edges are reported. `debounce`: [s] that a level must last; 0: every edge is
+/// reported.
 Descriptor request_inputs(int chip, const std::vector<std::int64_t>& lines, Pull pull, double debounce);
 
 /// The level of an input at a time.
 struct GpioEdge {
-    double tm = 0;  ///< [s] by `clock_seconds`, as the kernel has stamped it in its interrupt
+    double tm = 0;  ///< [s] by `clock_seconds`: when the kernel handled the interrupt
     std::int64_t line = 0;
     bool level = false;
 };
 /// Appends the edges since the last call. Returns an `errno`, or 0.
 int read_edges(int inputs, std::vector<GpioEdge>& edges);
-/// Appends the levels now.
+/// Appends the present levels as edges. Returns an `errno`, or 0.
 int read_levels(int inputs, const std::vector<std::int64_t>& lines, std::vector<GpioEdge>& edges);
-/// Whether it is a GPIO chip with version 2 of the interface.
+/// True if the open file is a GPIO chip with version 2 of the kernel's interface.
 bool is_gpio_chip(int file);
 
 }  // namespace nezumi::hw

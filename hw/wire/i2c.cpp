@@ -25,12 +25,12 @@ const NodeKind i2c_bus{.subsystem = "i2c-dev",
                        .adapter = "bus/i2c/devices/i2c-"};
 
 struct Register {
-    std::string number;  // as it is sent
+    std::string number;  // the bytes that are sent
     std::size_t length;  // [bytes]
     Period period;
 };
 
-// Reads each register once in its period. A message is the register's number, and its bytes.
+// Reads each register once per period. A message consists of the register's number and its bytes.
 class I2cWire final : public OpenWire {
 public:
     I2cWire(Descriptor bus, std::uint16_t address, std::vector<Register> registers)
@@ -81,7 +81,7 @@ public:
         if (silent != 0) return tl::unexpected(why_lost(silent));
         return std::make_unique<I2cWire>(std::move(node->file), address_, registers_);
     }
-    // Other devices of the bus are free.
+    // The lease is for one address; other programs may use other devices on the bus.
     Expected<Lease> lease() const override {
         std::error_code none;
         if (!std::filesystem::exists(path_, none)) return Lease::of_nothing();

@@ -1,4 +1,4 @@
-// Transactions on an I2C bus, as Linux's i2c-dev does them.
+// Transactions on an I2C bus with Linux's i2c-dev.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,11 @@
 
 namespace nezumi::hw {
 
-/// Returns EBUSY if a driver of the kernel uses the device at this address; other `errno`s; or 0.
+/// Checks that no driver of the kernel uses the device at this address. Returns EBUSY if one does, another `errno`, or
+/// 0.
 int i2c_claim(int bus, std::uint16_t address);
 
-/// Reads a byte, to learn whether a device answers. Returns an `errno`, or 0.
+/// Reads a byte to test whether a device answers. Returns an `errno`, or 0.
 int i2c_probe(int bus, std::uint16_t address);
 
 /// Writes in one transaction. Returns an `errno`, or 0. Allocates nothing.

@@ -1,4 +1,4 @@
-// When a device that is asked every period is due.
+// Times for a device that is read once per period.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,11 @@ namespace nezumi::hw {
 
 class Period {
 public:
-    /// [s]
+    /// `every`: the period [s].
     explicit Period(double every) : every_(every) {}
 
-    /// Whether it is due at `now` [s]; then the next period begins. After a stall, missed periods are skipped.
+    /// True if the device must be read at `now` [s]; then the next period begins. After a stall, missed periods are
+    /// skipped.
     bool is_due(double now) {
         if (now < next_) return false;
         next_ = now - next_ < every_ ? next_ + every_ : now + every_;

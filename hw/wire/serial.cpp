@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The reading side of a stream of bytes that is cut into messages. Reads until nothing is left.
+// Reads a stream of bytes and splits it into messages. Each call reads until nothing is left.
 class StreamWire final : public OpenWire {
 public:
     StreamWire(Descriptor file, const Framing& framing) : file_(std::move(file)), framer_(framing) {}
@@ -33,7 +33,7 @@ public:
             const ssize_t length = ::read(file_.get(), buffer, sizeof buffer);
             if (length < 0 && errno == EINTR) continue;
             if (length < 0 && errno == EAGAIN) return quiet;
-            // A terminal whose other end is gone gives EIO.
+            // A terminal gives EIO after its other end was closed.
             if (length <= 0) return tl::unexpected(length == 0 || errno == EIO ? 0 : errno);
             const double now = clock_seconds();
             for (std::string& message : framer_.take({buffer, static_cast<std::size_t>(length)}))
@@ -44,13 +44,13 @@ public:
     WriteTarget target() const override { return {.by = WriteBy::stream, .file = file_.get()}; }
 
 private:
-    static constexpr double quiet = 0.5;  // [s] between looks at a device that sends nothing
+    static constexpr double quiet = 0.5;  // [s] between checks of a device that sends nothing
 
     Descriptor file_;
     Framer framer_;
 };
 
-const NodeKind serial_line{.subsystem = "",  // pseudo-terminals have none: isatty tells
+const NodeKind serial_line{.subsystem = "",  // pseudo-terminals have none, so isatty is used instead
                            .what = "a serial line",
                            .example = "/dev/ttyACM0",
                            .when_missing = "is the device plugged in?",
@@ -63,7 +63,7 @@ std::string first_line(const fs::path& file) {
     return line;
 }
 
-// Raw, 8N1, at any speed. No functions of termios(3): they only know some speeds.
+// Sets a line to raw mode, 8N1, at any speed. termios(3) can't be used, because it supports only some speeds.
 int set_up(int file, unsigned speed) {
     termios2 settings{};
     if (ioctl(file, TCGETS2, &settings) != 0) return errno;
@@ -121,7 +121,7 @@ public:
     }
     OrWhy<std::string> encode(std::string_view message) const override {
         auto bytes = Framer(framing_).encode(message);
-        if (!bytes) return tl::unexpected(fmt::format("expected {} bytes, its length", framing_.length));
+        if (!bytes) return tl::unexpected(fmt::format("expected {} bytes, the parameter length", framing_.length));
         return std::move(*bytes);
     }
     std::string end() const override { return Framer(framing_).end(); }

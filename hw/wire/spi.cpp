@@ -22,7 +22,7 @@ const NodeKind spi_device{.subsystem = "spidev",
                           .node = "spidev",
                           .adapter = "bus/spi/devices/spi"};
 
-// Sends each frame once a period. A message is the frame, and as many bytes that were received meanwhile.
+// Sends each frame once per period. A message consists of the frame and the bytes that were received at the same time.
 class SpiWire final : public OpenWire {
 public:
     SpiWire(Descriptor device, std::vector<std::string> frames, double every, bool answers)

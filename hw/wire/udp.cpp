@@ -25,7 +25,7 @@ public:
         for (;;) {
             const ssize_t length = ::read(socket_.get(), buffer, sizeof buffer);
             if (length < 0 && errno == EINTR) continue;
-            // Refused: nothing listens there yet.
+            // ECONNREFUSED: no program of the device listens yet.
             if (length < 0 && (errno == EAGAIN || errno == ECONNREFUSED)) return 0.5;
             if (length < 0) return tl::unexpected(errno);
             std::string_view bytes(buffer, static_cast<std::size_t>(length));

@@ -1,4 +1,4 @@
-// Reads, cuts messages and stamps them; looks for the device again after a loss.
+// Reads a device, stamps its messages, and searches for the device again after a loss.
 #include "hw/wire/wire_link.hpp"
 
 #include <fmt/format.h>
@@ -21,18 +21,19 @@ namespace {
 
 using Driver = std::shared_ptr<const WireDriver>;
 
-// What the reading thread and the control loop share.
+// The job of the reading thread, which the control loop shares.
 class WireJob final : public DeviceJob {
 public:
     WireJob(Driver driver, std::string safe, std::shared_ptr<DeviceWriter> writer)
         : driver_(std::move(driver)), safe_(std::move(safe)), writer_(std::move(writer)) {}
 
-    // Nothing, or why the device can't be used.
+    // Opens the device. An error says why it can't be used.
     tl::expected<void, std::string> try_open() {
         auto opened = driver_->open();
         if (!opened) return tl::unexpected(opened.error());
         const int problem = writer_->give((*opened)->target(), driver_->end(), safe_);
-        if (problem != 0) return tl::unexpected(std::string("no process that writes: ") + std::strerror(problem));
+        if (problem != 0)
+            return tl::unexpected(std::string("can't give it to the process that writes: ") + std::strerror(problem));
         wire_ = std::move(*opened);
         is_open_ = true;
         return {};
@@ -53,13 +54,13 @@ public:
     int watched_file() const override { return wire_ == nullptr ? -1 : wire_->watched_file(); }
     void end() override { wire_.reset(); }
 
-    // The writer says that the device is gone. Called by the control loop.
+    // Called by the control loop when the writer reports that the device is lost.
     void note_lost(int error) {
         lost_by_ = error;
         is_lost_ = true;
         is_open_ = false;
     }
-    // The writer has ended: this thread sends the safe bytes.
+    // Called when the writer has ended: then this thread sends the safe bytes instead.
     void stop_soon() { must_stop_ = true; }
     bool is_open() const { return is_open_; }
     std::deque<Arrived> take() {
@@ -103,7 +104,7 @@ private:
     const Driver driver_;
     const std::string safe_;
     std::shared_ptr<DeviceWriter> writer_;  // shared with the link: this thread may hang in the device
-    std::unique_ptr<OpenWire> wire_;        // null: it is lost
+    std::unique_ptr<OpenWire> wire_;        // null: the device is lost
     std::atomic<bool> is_open_ = false, is_lost_ = false, must_stop_ = false;
     std::atomic<int> lost_by_ = 0;
     Mutex mutex_;  // held only for a copy
@@ -184,7 +185,7 @@ Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const Param
     if (!made) return failure(made.error());
     const Driver driver = std::move(*made);
     const std::string safe = driver->encode_safe(value_of<std::string>(parameters, "safe"));
-    // Opening may already stop the device, so it must not be another program's.
+    // Opening may already stop the device, so another program must not be using it.
     auto lease = driver->lease();
     if (!lease) return Unexpected(lease.error());
     if (const auto there = driver->open(); !there && !safe.empty()) return failure(there.error());

@@ -1,4 +1,4 @@
-// A real device on a wire: one thread reads it, a process of its own writes to it.
+// A real device on a wire: one thread reads it, and a separate process writes to it.
 #pragma once
 
 #include <memory>
@@ -9,9 +9,9 @@
 
 namespace nezumi::hw {
 
-/// Opens a device with the driver of its kind. Fails if the device is of another kind, if another program
-/// writes to it, or if it has safe bytes and is missing. A device that only measures may come later. A device that was
-/// unplugged is looked for every half second.
+/// Opens a device with the driver of its kind. Fails if the device is of another kind, if another program writes to it,
+/// or if a device with safe bytes is missing. A device without safe bytes may be plugged in later. After a device was
+/// unplugged, it is searched for every half second.
 Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const Parameters& parameters,
                                                 const DeviceRoots& roots);
 

@@ -1,4 +1,4 @@
-// Looks at a node before it opens it.
+// Checks a device node before opening it.
 #include "hw/wire/wire_node.hpp"
 
 #include <fcntl.h>
@@ -14,14 +14,14 @@
 namespace nezumi::hw {
 namespace {
 
-// The kernel's name for what a character device belongs to.
+// The kernel's name of the subsystem of a character device.
 std::string subsystem_of(dev_t device, const DeviceRoots& roots) {
     std::error_code none;
     const auto link = fmt::format("{}/dev/char/{}:{}/subsystem", roots.sys, major(device), minor(device));
     return std::filesystem::read_symlink(link, none).filename().string();
 }
 
-// The module that must be loaded to make this node; "": not known.
+// The kernel module that must be loaded so that this node exists; "": unknown.
 std::string missing_module(const std::string& path, const DeviceRoots& roots, const NodeKind& kind) {
     const std::string name = std::filesystem::path(path).filename().string();
     std::error_code none;

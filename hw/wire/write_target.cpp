@@ -1,4 +1,4 @@
-// System calls only: the writer's process has nothing else.
+// Uses only system calls, because the writer's process, a fork, may use nothing else.
 #include "hw/wire/write_target.hpp"
 
 #include <unistd.h>

@@ -13,21 +13,21 @@ inline constexpr std::size_t most_pwm_channels = 8;
 
 /// How a message is written.
 enum class WriteBy : std::uint8_t {
-    stream,        ///< a stream of bytes, which may take a part of them
+    stream,        ///< a stream of bytes, which may accept only a part of a message
     datagram,      ///< a socket: a message is sent whole or not at all, and its loss is not an error
-    plain,         ///< a plain file, which has only the last message
+    plain,         ///< a plain file, which contains only the last message
     i2c,           ///< one transaction with an address on an I2C bus
     spi,           ///< one transfer on SPI
     spi_answered,  ///< one transfer on SPI, whose answer is read
     gpio,          ///< levels of GPIO lines and PWM channels: `GpioLevels`
 };
 
-/// An open device, as its writer sees it.
+/// An open device for writing.
 struct WriteTarget {
     WriteBy by = WriteBy::stream;
     std::uint16_t address = 0;  ///< on an I2C bus
     int file = -1;
-    std::array<int, most_pwm_channels> pwm = no_files();  ///< of GPIO: the files of the channels' duties; -1: none
+    std::array<int, most_pwm_channels> pwm = no_files();  ///< for GPIO: the files duty_cycle of the channels; -1: none
 
     static constexpr std::array<int, most_pwm_channels> no_files() {
         std::array<int, most_pwm_channels> none{};
@@ -36,7 +36,7 @@ struct WriteTarget {
     }
 };
 
-/// Tries a transaction, which returns an `errno` or 0, at most three times: motors disturb the lines of a bus.
+/// Tries a transaction at most three times, because motors disturb the lines of a bus. Returns its `errno`, or 0.
 template <class Transaction>
 int retry_transfer(const Transaction& transaction) {
     int error = 0;
@@ -47,8 +47,8 @@ int retry_transfer(const Transaction& transaction) {
     return error;
 }
 
-/// Writes a message, of a stream a part of it. Returns the number of bytes, or -1 with `errno`. A transaction that
-/// fails is tried three times. `answer`: of `spi_answered`, gets as many bytes. Allocates nothing.
+/// Writes a message, or to a stream a part of it. Returns the number of bytes, or -1 with `errno`. A transaction is
+/// tried at most three times. `answer`: for `spi_answered`, gets the same number of bytes. Allocates nothing.
 ssize_t write_message(const WriteTarget& target, const char* bytes, std::size_t size, char* answer = nullptr);
 
 }  // namespace nezumi::hw

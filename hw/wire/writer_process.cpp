@@ -1,4 +1,5 @@
-// One device has one process. A message reaches it whole or not at all, so the engine's death tears none.
+// Each device has one process. The process receives a message completely or not at all, so no message is cut off when
+// the engine is killed.
 #include "hw/wire/writer_process.hpp"
 
 #include <poll.h>
@@ -21,7 +22,7 @@ struct Outgoing {
     std::size_t size = 0, done = 0;
 };
 
-// -1: none.
+// The descriptors that came with an order; -1: none.
 using PassedFiles = std::array<int, most_files>;
 
 class Writer {
@@ -46,7 +47,7 @@ public:
     void add(const char* bytes, std::size_t size) {
         if (size == 0 || size > longest_message || target_.file < 0) return;
         if (count_ == waiting_.size()) {
-            // The first one may be half written.
+            // The first message stays, because it may be half written.
             std::rotate(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_), waiting_.end());
             first_ = 0;
             std::move(waiting_.begin() + 2, waiting_.end(), waiting_.begin() + 1);
@@ -65,7 +66,7 @@ public:
         add_safe();
     }
 
-    // The device may be only half lost: what it still takes stops it.
+    // Sends the safe bytes before closing: a device that counts as lost may still receive them and stop.
     void release() {
         stop();
         write_some();
@@ -73,7 +74,7 @@ public:
         count_ = 0;
     }
 
-    // Writes what the device takes now.
+    // Writes as much as the device accepts now.
     void write_some() {
         while (has_work()) {
             Outgoing& next = waiting_[first_];
@@ -102,7 +103,7 @@ public:
             poll(&device, 1, 20);
             write_some();
         }
-        // The kernel drops what a closed line has not sent.
+        // Waits until all is sent: when a line is closed, the kernel drops the rest.
         int unsent = 0;
         while (target_.file >= 0 && isatty(target_.file) != 0 && ioctl(target_.file, TIOCOUTQ, &unsent) == 0 &&
                unsent > 0 && clock_seconds() - begin < patience)
@@ -153,8 +154,7 @@ struct Packet {
     std::array<char, longest_message> bytes;
 };
 
-// Receives one packet. Returns the number of its bytes after the order; -1 at the end of the socket, -2 if there is
-// none.
+// Receives one packet. Returns the number of bytes after the order; -1 at the end of the socket; -2 if no packet waits.
 ssize_t receive(int socket, Packet& packet, PassedFiles& files) {
     std::array<iovec, 2> parts{iovec{.iov_base = &packet.order, .iov_len = sizeof packet.order},
                                iovec{.iov_base = packet.bytes.data(), .iov_len = packet.bytes.size()}};

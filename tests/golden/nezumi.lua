@@ -23,11 +23,11 @@
 ---@field y? number [m]
 
 ---@class (exact) Pose2D
----@field position Point2D where
+---@field position Point2D place on the floor
 ---@field heading number [rad] direction, counter-clockwise from the x axis
 
 ---@class (exact) Pose2D.Written
----@field position? Point2D.Written where
+---@field position? Point2D.Written place on the floor
 ---@field heading? number [rad] direction, counter-clockwise from the x axis
 
 ---@class (exact) Point3D
@@ -51,11 +51,11 @@
 ---@field y? number [rad] yaw about z, counter-clockwise
 
 ---@class (exact) Pose3D
----@field position Point3D where
+---@field position Point3D place in space
 ---@field orientation Orientation3D roll, pitch and yaw
 
 ---@class (exact) Pose3D.Written
----@field position? Point3D.Written where
+---@field position? Point3D.Written place in space
 ---@field orientation? Orientation3D.Written roll, pitch and yaw
 
 ---@class (exact) Size3D
@@ -79,17 +79,17 @@
 ---@class (exact) RangerGeometry
 ---@field pose Pose3D in the robot's frame
 ---@field size Size3D extent of the device
----@field elements RangerElement[] its single transducers
+---@field elements RangerElement[] the single transducers of the ranger
 
 ---@class (exact) RangerGeometry.Written
 ---@field pose? Pose3D.Written in the robot's frame
 ---@field size? Size3D.Written extent of the device
----@field elements? RangerElement.Written[] its single transducers
+---@field elements? RangerElement.Written[] the single transducers of the ranger
 
 ---@class (exact) RangerConfig
 ---@field minAngle number [rad] first scan angle
 ---@field maxAngle number [rad] last scan angle
----@field angularRes number [rad] angle between two scans
+---@field angularRes number [rad] step from one scan angle to the next
 ---@field minRange number [m] shortest distance it measures
 ---@field maxRange number [m] longest distance it measures
 ---@field rangeRes number [m] resolution of a distance
@@ -98,7 +98,7 @@
 ---@class (exact) RangerConfig.Written
 ---@field minAngle? number [rad] first scan angle
 ---@field maxAngle? number [rad] last scan angle
----@field angularRes? number [rad] angle between two scans
+---@field angularRes? number [rad] step from one scan angle to the next
 ---@field minRange? number [m] shortest distance it measures
 ---@field maxRange? number [m] longest distance it measures
 ---@field rangeRes? number [m] resolution of a distance
@@ -106,13 +106,13 @@
 
 ---@class (exact) RangeData
 ---@field ranges number[] [m] distances, one per scan angle; inf: nothing within reach, -inf: too near, nan: no reading (REP 117)
----@field geometry RangerGeometry where the ranger sits
----@field config RangerConfig what it can measure
+---@field geometry RangerGeometry where the ranger is mounted
+---@field config RangerConfig what the ranger can measure
 
 ---@class (exact) RangeData.Written
 ---@field ranges? number[] [m] distances, one per scan angle; inf: nothing within reach, -inf: too near, nan: no reading (REP 117)
----@field geometry? RangerGeometry.Written where the ranger sits
----@field config? RangerConfig.Written what it can measure
+---@field geometry? RangerGeometry.Written where the ranger is mounted
+---@field config? RangerConfig.Written what the ranger can measure
 
 ---@class (exact) CameraImage
 ---@field width integer [px] 0..65535
@@ -131,10 +131,10 @@
 ---@field pixels? string the bytes, row by row from the top left; a string in Lua
 
 ---@class (exact) CameraIntrinsics
----@field width integer [px] of the pictures 0..65535
+---@field width integer [px] width of the pictures 0..65535
 ---@field height integer [px] 0..65535
 ---@field fx number [px] focal length in x; 0: unknown
----@field fy number [px] focal length along a column
+---@field fy number [px] focal length in y
 ---@field cx number [px] column of the optical axis
 ---@field cy number [px] row of the optical axis
 ---@field k1 number radial distortion; below 0 a barrel, above a pincushion
@@ -147,10 +147,10 @@
 ---@field k6 number radial distortion of a rational model
 
 ---@class (exact) CameraIntrinsics.Written
----@field width? integer [px] of the pictures 0..65535
+---@field width? integer [px] width of the pictures 0..65535
 ---@field height? integer [px] 0..65535
 ---@field fx? number [px] focal length in x; 0: unknown
----@field fy? number [px] focal length along a column
+---@field fy? number [px] focal length in y
 ---@field cx? number [px] column of the optical axis
 ---@field cy? number [px] row of the optical axis
 ---@field k1? number radial distortion; below 0 a barrel, above a pincushion
@@ -163,26 +163,26 @@
 ---@field k6? number radial distortion of a rational model
 
 ---@class (exact) SeenMarker
----@field id integer its number -2147483648..2147483647
+---@field id integer number of the marker -2147483648..2147483647
 ---@field pose Pose3D from the camera: x forward, y left, z up
 
 ---@class (exact) SeenMarker.Written
----@field id? integer its number -2147483648..2147483647
+---@field id? integer number of the marker -2147483648..2147483647
 ---@field pose? Pose3D.Written from the camera: x forward, y left, z up
 
 ---@class (exact) Neighbour
 ---@field name string of the robot
----@field range number [m] from the sensor to its middle, seen from above
----@field bearing number [rad] counter-clockwise from where the sensor looks
----@field message number[] what it says: at most 10 numbers
----@field leds boolean[] which of its LEDs are on
+---@field range number [m] from the sensor to the robot's middle, seen from above
+---@field bearing number [rad] counter-clockwise from the direction of the sensor
+---@field message number[] the numbers that the robot sends to its neighbours, at most 10
+---@field leds boolean[] which of the robot's LEDs are on
 
 ---@class (exact) Neighbour.Written
 ---@field name? string of the robot
----@field range? number [m] from the sensor to its middle, seen from above
----@field bearing? number [rad] counter-clockwise from where the sensor looks
----@field message? number[] what it says: at most 10 numbers
----@field leds? boolean[] which of its LEDs are on
+---@field range? number [m] from the sensor to the robot's middle, seen from above
+---@field bearing? number [rad] counter-clockwise from the direction of the sensor
+---@field message? number[] the numbers that the robot sends to its neighbours, at most 10
+---@field leds? boolean[] which of the robot's LEDs are on
 
 ---@class InPort
 ---@field is_new boolean there is an unread message
@@ -473,11 +473,11 @@
 ---@class (exact) SeenMarkerSeq.OutOptions
 ---@field safe? SeenMarker.Written[] written when the component stops
 
----An in-port of NeighbourSeq: robots in sight with what they say, the nearest first.
+---An in-port of NeighbourSeq: robots in sight and the numbers that they send, the nearest first.
 ---@class NeighbourSeq.In : InPort
 ---@field read fun(self: NeighbourSeq.In): Neighbour[]
 
----An out-port of NeighbourSeq: robots in sight with what they say, the nearest first.
+---An out-port of NeighbourSeq: robots in sight and the numbers that they send, the nearest first.
 ---@class NeighbourSeq.Out : OutPort
 ---@field write fun(self: NeighbourSeq.Out, value: Neighbour.Written[])
 
@@ -540,13 +540,13 @@ function output(name, type, doc, options) end
 ---@class (exact) ParameterOptions
 ---@field min? number smallest value; of each element of an array (of numbers, arrays of numbers)
 ---@field max? number largest value; of each element of an array (of numbers, arrays of numbers)
----@field step? number of the widget only (of numbers, arrays of numbers)
----@field widget? "slider"|"spin"|"radio"|"checkbox"|"ordered_list"|"text" how it is shown for a person to change: a slider needs both bounds, radio needs choices; a checkbox shows a boolean, or an array as a part of its choices; an ordered list shows an array of its choices
+---@field step? number step of the widget; other values are allowed too (of numbers, arrays of numbers)
+---@field widget? "slider"|"spin"|"radio"|"checkbox"|"ordered_list"|"text" the control that changes the value: a slider needs both bounds, radio needs choices; a checkbox shows a boolean, or an array as a part of its choices; an ordered list shows an array of its choices
 ---@field unit? string for example "m/s"
 ---@field doc? string what it means
----@field choices? ParameterValue[] the values that may be chosen; without: all within the bounds
----@field min_size? integer fewest elements (of arrays of numbers, other arrays)
----@field max_size? integer most elements (of arrays of numbers, other arrays)
+---@field choices? ParameterValue[] the allowed values; if omitted: all within the bounds
+---@field min_size? integer smallest number of elements (of arrays of numbers, other arrays)
+---@field max_size? integer largest number of elements (of arrays of numbers, other arrays)
 
 ---@class (exact) PortOptions
 ---@field queue? integer how many unread messages are kept; then the oldest is dropped (of input)
@@ -630,12 +630,12 @@ function output(name, type, doc, options) end
 
 ---@class (exact) RobotFields
 ---@field model string a robot's file, for example "raspimouse"
----@field pose? { x?: number, y?: number, heading?: number } where it starts
----@field limits? LimitChangesFields instead of the model's
----@field backend? string "sim": simulated with --hw as well; or the driver that --hw uses
----@field calibrated? boolean use `NAME.calibration.lua` beside this file also in simulation
----@field odometry_at_pose? boolean its odometry starts at `pose`, in the arena's coordinates; otherwise at 0, 0, 0
----@field active? boolean whether it is activated at the start
+---@field pose? { x?: number, y?: number, heading?: number } start pose
+---@field limits? LimitChangesFields limits that replace those of the model
+---@field backend? string "sim": simulated even with --hw; or the name of the driver that --hw uses
+---@field calibrated? boolean use `NAME.calibration.lua` in the folder of this file also in simulation
+---@field odometry_at_pose? boolean the odometry starts at `pose`, in the arena's coordinates; otherwise at 0, 0, 0
+---@field active? boolean whether the component is activated at the start
 ---@field doc? string what it is
 ---@field mass? number [kg] of the whole robot
 ---@field friction? number friction of the simulated wheels on the floor: 1 is rubber, 0.1 is ice
@@ -649,22 +649,22 @@ function output(name, type, doc, options) end
 
 ---@class (exact) BehaviorFields
 ---@field script string a behaviour's file, for example "robot_controller"
----@field config? table<string, ParameterValue> values of its parameters
----@field sets? table<string, table<string, ParameterValue>> values of parameters that are chosen together, by the set's name
+---@field config? table<string, ParameterValue> values of the component's parameters
+---@field sets? table<string, table<string, ParameterValue>> parameter sets: values that are chosen together, by the name of the set
 ---@field set? string the parameter set in use; omitted parameters have the values of `config`
----@field rate? number [Hz] executions per second, at most the tick's
----@field active? boolean whether it is activated at the start
+---@field rate? number [Hz] executions per second, at most the tick rate
+---@field active? boolean whether the component is activated at the start
 
 ---@class (exact) ComponentFields
 ---@field type string a native component's type, for example "Camera"
----@field config? table<string, ParameterValue> values of its parameters
----@field rate? number [Hz] executions per second, at most the tick's
----@field on? string the robot that carries it
----@field at? number[] [m] on that robot, from the middle of the wheels' axis on the floor
----@field yaw? number [rad] on that robot, counter-clockwise
----@field backend? string "sim": simulated with --hw as well
----@field active? boolean whether it is activated at the start
----@field calibration? string a Camera's: the file that ROS's camera_calibration wrote, for example "ost.yaml"
+---@field config? table<string, ParameterValue> values of the component's parameters
+---@field rate? number [Hz] executions per second, at most the tick rate
+---@field on? string the robot that carries the component
+---@field at? number[] [m] position on that robot, from the middle of the wheels' axis on the floor
+---@field yaw? number [rad] direction on that robot, counter-clockwise
+---@field backend? string "sim": simulated even with --hw
+---@field active? boolean whether the component is activated at the start
+---@field calibration? string for a Camera: the file that ROS's camera_calibration wrote, for example "ost.yaml"
 
 ---@class (exact) PhysicsFields
 ---@field step number [s] duration of a physics step; a tick is a whole number of them
@@ -691,7 +691,7 @@ function output(name, type, doc, options) end
 ---@field topic? string of `publish`: its name, for example "/odom"
 ---@field port? string of `subscribe`: the in-port, "name.port"
 ---@field type? string the message's type, for example "geometry_msgs/msg/TwistStamped"
----@field frame? string of the message's header
+---@field frame? string the `frame_id` of the message's header
 
 ---@class (exact) RtmFields
 ---@field nameserver? string|string[] "HOST:PORT" of the CORBA name service, or of several
@@ -722,7 +722,7 @@ function output(name, type, doc, options) end
 ---@field skid? number [m] distance of the skids from the axis
 ---@field coasts_until_commanded? boolean the wheels roll freely until the first command after activation
 ---@field limits? LimitsFields each can be set again per robot in the system file
----@field hardware_limits? LimitsFields on the real robot, until it is calibrated
+---@field hardware_limits? LimitsFields limits on the real robot, until its odometry is calibrated
 ---@field needs? string|string[] sensors that it needs to drive: it stops if one of them gave no value for 0.3 s
 ---@field port? string|string[] devices of the real robot's left and right motor
 
@@ -731,8 +731,8 @@ function output(name, type, doc, options) end
 ---@field at? number[] [m] from the hull's centre
 ---@field yaw? number [rad] where it looks, counter-clockwise
 ---@field on? string the servo that carries it, instead of the hull
----@field range? number [m] it sees no farther (of range, scan)
----@field minimum? number [m] it sees no nearer (of range, scan)
+---@field range? number [m] largest distance that it sees (of range, scan)
+---@field minimum? number [m] smallest distance that it sees (of range, scan)
 ---@field cone? number [rad] full opening angle, 0: a single ray; of a scan, its field of view (of range, scan)
 ---@field rays? integer rays in the cone: the nearest hit counts; a scan gives the distance of each, from right to left (of range, scan)
 ---@field noise? number standard deviation, in the value's unit; of an imu, of its rates in rad/s; of neighbours, of their ranges in m (of range, gyro, reflect, ambient, scan, imu, neighbours)
@@ -740,21 +740,21 @@ function output(name, type, doc, options) end
 ---@field table? string|number[][] a CSV file with the columns `distance_m` and `value` beside the robot file, or points `{ { 0.01, 1394 }, ... }`. Exact at its points; nearer than the first the value goes on as a power law, farther than the last it fades to `nothing` at `range` (of range)
 ---@field response? fun(distance: number): number instead of `table`: it is sampled when the file is read; `response(math.huge)` is the value with nothing in sight (of range)
 ---@field nothing? number the value with nothing in sight (of range)
----@field min_value? number bound of the value (of range)
----@field max_value? number bound of the value (of range)
+---@field min_value? number lower bound of the value (of range)
+---@field max_value? number upper bound of the value (of range)
 ---@field drift? number [rad/s] (of gyro)
----@field max_rate? number [rad/s] it can follow; 0: any (of gyro, imu)
----@field travel? number [m] until it closes (of touch)
+---@field max_rate? number [rad/s] largest rate that it measures; 0: no limit (of gyro, imu)
+---@field travel? number [m] way that it is pushed in until it closes (of touch)
 ---@field level? number light of the simulated room, from 0 (dark) to 100 (of ambient)
----@field radius? number [m] it sees robots no farther (of neighbours)
+---@field radius? number [m] largest distance at which it sees robots (of neighbours)
 ---@field bearing_noise? number [rad] standard deviation of its bearings (of neighbours)
 ---@field loss? number probability that it misses a robot, each time (of neighbours)
 ---@field port? string which device of the real robot it is
 
 ---@class (exact) ActuatorFields
 ---@field kind? "leds"|"buzzer"|"servo"|"screen"|"speaker"
----@field count? integer how many (of leds)
----@field max_rate? number [rad/s] 0: any (of servo)
+---@field count? integer number of lights (of leds)
+---@field max_rate? number [rad/s] largest speed; 0: no limit (of servo)
 ---@field speed? number [rad/s] initial speed, the default of the robot's parameter `NAME_speed`. 0: as fast as possible, without this parameter (of servo)
 ---@field minimum? number [rad] (of servo)
 ---@field maximum? number [rad] equal to `minimum`: unlimited (of servo)
@@ -795,13 +795,13 @@ function output(name, type, doc, options) end
 ---@class (exact) PoseFields
 ---@field x? number [m]
 ---@field y? number [m]
----@field heading? number [rad] counter-clockwise, 0 looks along x
+---@field heading? number [rad] counter-clockwise; 0 is along x
 
 ---@class (exact) MarkerPoseFields
 ---@field x? number [m]
 ---@field y? number [m]
----@field z? number [m] of its centre
----@field heading? number [rad] into which it looks
+---@field z? number [m] height of the marker's centre
+---@field heading? number [rad] direction that the marker faces
 
 ---@class (exact) VelocityConstraintFields
 ---@field vx? number [m/s] along the robot's x axis
@@ -810,12 +810,12 @@ function output(name, type, doc, options) end
 ---@field seconds? number [s] how long (of s:disturb)
 
 ---@class (exact) HoldOptions
----@field take? boolean even if another actor holds the port
+---@field take? boolean take the port even if another actor holds it
 
 ---@class (exact) CalibrationFields
 ---@field robot string its name in the system
----@field model string that it was measured with
----@field serial? string number of its computer: on another one the file is refused
+---@field model string the robot model that was used in the measurement
+---@field serial? string serial number of the robot's computer; another computer refuses the file
 ---@field odometry? OdometryCalibrationFields its wheels, from `nezumi calibrate odometry`
 ---@field sensors? table<string, { table: number[][] }> values of its range sensors at distances [m], from `nezumi calibrate ir`: `right_front = { table = { { 0.02, 795 }, ... } }`
 ---@field cameras? table<string, { width: integer, height: integer, fx: number, fy: number, cx: number, cy: number, k1: number, k2: number, p1: number, p2: number, k3: number }> the intrinsics of its cameras, from `nezumi calibrate camera`: by the camera's name, the fields of a CameraIntrinsics
@@ -845,7 +845,7 @@ function output(name, type, doc, options) end
 ---@field robots? table<string, RobotModelFields> changes to the system's robots, by the robot's name
 
 ---@class (exact) ReloadOptions
----@field file? string its script, found as a system file finds one
+---@field file? string the name of its script, searched as in a system file
 ---@field text? string the script itself
 
 ---@class (exact) RecordedOptions
@@ -856,7 +856,7 @@ function output(name, type, doc, options) end
 ---@field component? string the recorded component
 ---@field run string the recording or journal
 ---@field map? table<string, string> ports of topics, `{ ["/scan"] = "keeper.rays" }`: needed for recordings of other programs
----@field tolerance? number largest difference of equal numbers
+---@field tolerance? number largest difference at which two numbers count as equal
 
 ---Declares a parameter, read as `config.name`. Its type follows the default: `30` integer, `0.0` number.
 ---@param name string
@@ -864,8 +864,8 @@ function output(name, type, doc, options) end
 ---@param options? ParameterOptions
 function param(name, default, options) end
 
----Defines a message type, in a file of its own: `return message "Obstacle" { { "distance", "double", unit = "m" } }`.
----@param name string that of the file: `light_sensors.lua` defines LightSensors
+---Defines a message type, in a separate file: `return message "Obstacle" { { "distance", "double", unit = "m" } }`.
+---@param name string the name of the file: `light_sensors.lua` defines LightSensors
 ---@return fun(fields: table): nil
 function message(name) end
 
@@ -881,7 +881,7 @@ function constants(type) end
 ---@type Config
 config = {}
 
----Survives a reload: plain data only.
+---A table that survives a reload. It can hold only plain data.
 ---@type table<any, any>
 state = {}
 
@@ -910,57 +910,57 @@ function about(fields) end
 ---@param doc? string
 function command(name, fn, doc) end
 
----Shows a value from inside as `component.probes.name`: the last of a tick counts. Recorded, and no part of the trace.
+---Shows an internal value as `component.probes.name`; the last value of a tick counts. Recorded, but not in the trace.
 ---@param name string
 ---@param value number|boolean|string|table a table is flat, with at most 64 entries
 function probe(name, value) end
 
----Declares what is done one after the other: it starts on activation and runs in slices, from one wait to the next.
+---Declares a task, a function that waits between its steps. It starts on activation and runs from one wait to the next.
 ---@param name string
 ---@param fn fun()
 ---@param options? TaskOptions
 function task(name, fn, options) end
 
----Starts a task at the next execution; an error while it is under way.
+---Starts a task at the next execution; an error if the task is already running.
 ---@param name string
 function start(name) end
 
----Ends a task, its `<close>` variables included. Returns whether it was under way.
+---Ends a task, and closes its `<close>` variables. Returns whether the task was running.
 ---@param name string
 ---@return boolean
 function cancel(name) end
 
----Waits so long, in a task only. Returns the time that has passed [s].
+---Waits for this time; can be used only in a task. Returns the time that has passed [s].
 ---@param seconds number
 ---@return number
 function wait(seconds) end
 
----Waits until `condition()` is true, in a task only: looks immediately, then in each execution. Returns false when it was
----not within the time that is given.
+---Waits until `condition()` is true; can be used only in a task. Checks immediately, then in each execution. Returns
+---false if the condition did not become true within the time limit of the options.
 ---@param condition fun(): any
 ---@param options? WaitOptions
 ---@return boolean
 function wait_until(condition, options) end
 
----Before the first execution after an activation.
+---Called before the first execution after an activation.
 function on_activated() end
 
----In every tick, or at the `rate` of the system file.
+---Called in every tick, or at the `rate` of the system file.
 function on_execute() end
 
----When it is deactivated, removed, or the run ends.
+---Called when the component is deactivated or removed, or when the run ends.
 function on_deactivated() end
 
----Once, when an error has stopped it. May not write velocities.
+---Called once when an error has stopped the component. May not write velocities.
 function on_aborting() end
 
----In every tick while it is in ERROR. May not write velocities.
+---Called in every tick while the component is in ERROR. May not write velocities.
 function on_error() end
 
----When somebody resets it; afterwards it is INACTIVE.
+---Called when the component is reset; afterwards it is INACTIVE.
 function on_reset() end
 
----When a new version of the file takes over.
+---Called in the new version of the file when it takes over from the old one.
 ---@param old_version integer
 function on_reload(old_version) end
 
@@ -969,9 +969,9 @@ function on_reload(old_version) end
 ---@class Maze: Thing
 ---@field columns integer cells from west to east
 ---@field rows integer cells from south to north
----@field start integer[] column and row, from 1, of the cell with S, or of the south-west one
----@field direction integer quarter turns from east, to which the start is open: 1 is north
----@field goal integer[] column and row of each cell with G, or of those in the middle
+---@field start integer[] column and row, from 1, of the cell with S, otherwise of the south-west cell
+---@field direction integer side on which the start cell is open, in quarter turns from east: 1 is north
+---@field goal integer[] column and row of each cell with G, otherwise of the cells in the middle
 ---@field pose table x, y and heading of a robot at the start
 
 ---A box, fixed or movable.
@@ -1035,7 +1035,7 @@ function component(name, fields) end
 ---@param fields PhysicsFields
 function physics(fields) end
 
----This system is a host among others. Without the word nothing of it is on the network.
+---This system is one of several hosts. Without `network`, the system does not use the network.
 ---@param fields NetworkFields
 function network(fields) end
 
@@ -1047,7 +1047,7 @@ function ros(fields) end
 ---@param fields RtmFields
 function rtm(fields) end
 
----A value that `--set name=value` gives instead of the default.
+---A value with a default, which `--set name=value` overrides.
 ---@param name string
 ---@param default any
 ---@param options table?
@@ -1073,7 +1073,7 @@ function map(file) end
 ---@param hz number
 function rate(hz) end
 
----Of everything random in the run.
+---The seed of everything random in the run.
 ---@param n integer
 function seed(n) end
 
@@ -1103,7 +1103,7 @@ function serial(fields) end
 ---@class (exact) UdpFields
 ---@field host? string the device's address, such as "192.168.4.1"
 ---@field port? integer the device's port
----@field local_port? integer the own port; 0: any
+---@field local_port? integer this computer's port; 0: any
 ---@field ends? string the end of each datagram's text: ports are TimedString then
 ---@field safe? string|false the bytes that stop what the device moves: sent at every kind of stop, and when the engine dies; at most 255
 
@@ -1117,7 +1117,7 @@ function udp(fields) end
 ---@field path? string instead of `bus`: the bus, such as /dev/i2c-1
 ---@field address? integer the device's address on the bus, 7 bits, such as 0x40
 ---@field registers? integer[] the registers that are read every period
----@field lengths? integer[] the bytes that are read from each of them
+---@field lengths? integer[] how many bytes are read from each register
 ---@field every? number [s] the period
 ---@field periods? number[] [s] instead of `every`: the period of each register
 ---@field number_bytes? integer the bytes of a register's number
@@ -1135,9 +1135,9 @@ function i2c(fields) end
 ---@field path? string instead of `bus` and `chip_select`: the device, such as /dev/spidev0.1
 ---@field speed? integer [Hz] of the clock
 ---@field mode? integer the clock's polarity and phase, as in the device's data sheet
----@field frames? string[] what is sent every period: its answers are read
+---@field frames? string[] the bytes that are sent every period; the answer to each of them is read
 ---@field every? number [s] the period
----@field answers? boolean each message to the device is answered by one as of `frames`
+---@field answers? boolean the answers to messages to the device are read too, as those to `frames`
 ---@field safe? string|false the bytes that stop what the device moves: sent at every kind of stop, and when the engine dies; at most 255
 
 ---A device of a robot whose driver is a script.
@@ -1164,72 +1164,72 @@ function gpio(fields) end
 
 ---A port as seen from outside: reading it here does not consume messages.
 ---@class Port
----@field age number how long ago its stamp was [s]; math.huge before the first message
----@field connected boolean whether another port is connected to it
----@field count integer messages since the start
----@field direction "in"|"out" whether its component reads or writes it
----@field doc string its description
----@field drop fun(self: Port) no message gets through until release
----@field fields string[] what its messages hold, as in "position.x: number [m]", "ranges[]: number [m]"
----@field freeze fun(self: Port) the present value is repeated until release
----@field hold fun(self: Port, value: any, options?: HoldOptions) only this value gets through until release
----@field holder string? the actor that holds, drops or freezes it, or nil
----@field inject fun(self: Port, value: any) one message, as from a connection
----@field name string its name
----@field note string a note from its robot, for example that commands are ignored
+---@field age number time since the stamp of the latest message [s]; math.huge before the first message
+---@field connected boolean whether another port is connected to this port
+---@field count integer number of messages since the start
+---@field direction "in"|"out" whether the component reads or writes the port
+---@field doc string description of the port
+---@field drop fun(self: Port) blocks all messages until release
+---@field fields string[] fields of the messages, as in "position.x: number [m]", "ranges[]: number [m]"
+---@field freeze fun(self: Port) repeats the present value until release
+---@field hold fun(self: Port, value: any, options?: HoldOptions) sends only this value until release
+---@field holder string? the actor that holds, drops or freezes the port, or nil
+---@field inject fun(self: Port, value: any) delivers one message, as from a connection
+---@field name string the port's name
+---@field note string a note from the robot, for example that commands are ignored
 ---@field override string "held", "dropped", "frozen" or ""
 ---@field path string "name.port"
----@field peers string[] the ports at its other end
----@field release fun(self: Port) ends what hold, drop and freeze began
----@field stale boolean whether it is overdue: no message came for three periods of its sender, at least 0.1 s, or for 0.5 s if the sender declares no rate
----@field tm number its stamp [s], 0 before the first message
----@field type MessageType its message type
----@field unread boolean of an in-port: whether it has a message that its component has not read
----@field value any a copy of the latest message; reading it here does not consume it. Before the first message, the zero value of its type
----@field write fun(self: Port, value: any) an out-port: published as if its component had written it; an in-port: as inject
+---@field peers string[] the ports that are connected to this port
+---@field release fun(self: Port) ends a hold, drop or freeze
+---@field stale boolean whether a message is overdue: none came for three periods of the sender, at least 0.1 s, or for 0.5 s if the sender declares no rate
+---@field tm number stamp of the latest message [s], 0 before the first message
+---@field type MessageType the port's message type
+---@field unread boolean of an in-port: whether there is a message that the component has not read
+---@field value any a copy of the latest message; the message stays unread. Before the first message, the zero value of its type
+---@field write fun(self: Port, value: any) an out-port: publishes a message as if the component had written it; an in-port: the same as inject
 
 ---@class Component
----@field activate fun(self: Component): string makes it ACTIVE; gives the status that follows
----@field battery number of robots: the voltage of its battery [V], NaN while that is unknown: only of a real robot that measures it
----@field buzzer integer of robots: tone of its buzzer [Hz], 0 for silence
----@field collided boolean of robots: whether it touches something
----@field commands string[] the names of its commands
----@field config table<string, ParameterValue> its parameters, read and written within their bounds
----@field deactivate fun(self: Component): string makes it INACTIVE; gives the status that follows
+---@field activate fun(self: Component): string makes the component ACTIVE; returns the new status
+---@field battery number of robots: battery voltage [V], NaN while unknown: only of real robots that measure it
+---@field buzzer integer of robots: tone of the robot's buzzer [Hz], 0 for silence
+---@field collided boolean of robots: whether the robot touches something
+---@field commands string[] the names of the component's commands
+---@field config table<string, ParameterValue> the component's parameters; values must be within their bounds
+---@field deactivate fun(self: Component): string makes the component INACTIVE; returns the new status
 ---@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: forces these velocities on the robot; without velocities it moves freely again
 ---@field error string? in ERROR: the error; otherwise nil
 ---@field failure { text: string, tm: number, file?: string, line?: integer, frames?: { file: string, line: integer, name?: string, locals: table }[] }? in ERROR: the error, its time [s], its line, and the functions that were running, the innermost first, each with file, line, name and locals; otherwise nil
----@field leds boolean[] of robots: which of its lights are on
----@field limits table<string, number> of robots: the highest speeds and accelerations that it obeys
----@field name string its name
----@field ports table<string, Port> its ports by name
+---@field leds boolean[] of robots: which of the robot's lights are on
+---@field limits table<string, number> of robots: the robot's limits of speed and acceleration
+---@field name string the component's name
+---@field ports table<string, Port> the component's ports by name
 ---@field press fun(self: Component, sensor: string, pressed?: boolean) of robots: presses a button or touch sensor; with false releases it
----@field probes table<string, ProbeView> the values of `probe` calls in its script: value, tm and age
+---@field probes table<string, ProbeView> the values of `probe` calls in the script: value, tm and age
 ---@field rate number executions per second [Hz]
----@field reset fun(self: Component): string takes it out of ERROR; gives the status that follows
----@field said string[] of robots: the last 100 texts sent to its speaker
+---@field reset fun(self: Component): string takes the component out of ERROR; returns the new status
+---@field said string[] of robots: the last 100 texts sent to the robot's speaker
 ---@field set string? the named set of parameters in use, or nil
----@field sets string[] the names of its sets of parameters
----@field state table a copy of its script's `state`
+---@field sets string[] the names of the component's parameter sets
+---@field state table a copy of the script's `state`
 ---@field status "INACTIVE"|"ACTIVE"|"ERROR" "INACTIVE", "ACTIVE" or "ERROR"
----@field tasks table<string, TaskView> its tasks: status, since, waiting and line of each
----@field teleport fun(self: Component, pose: PoseFields) of robots: moves it to a pose, at rest
----@field touching string? of robots: what it touches, or nil
----@field truth { pose: Pose2D, velocity: Velocity2D, height: number, tilt: number } of robots: its true state in simulation: pose, velocity, height, tilt
----@field type string its component type
+---@field tasks table<string, TaskView> the component's tasks: status, since, waiting and line of each
+---@field teleport fun(self: Component, pose: PoseFields) of robots: moves the robot to a pose, at rest
+---@field touching string? of robots: what the robot touches, or nil
+---@field truth { pose: Pose2D, velocity: Velocity2D, height: number, tilt: number } of robots: the robot's true state in simulation: pose, velocity, height, tilt
+---@field type string the component's type
 ---@field use fun(self: Component, set: string): string switches to a named set of parameters
----@field version integer counts the versions of its script, from 1
+---@field version integer version number of the script, from 1
 ---@field [string] any its ports and commands
 
 ---@class TaskView
 ---@field status "inactive"|"ready"|"waiting"|"finished"|"cancelled"|"failed"
----@field since number [s] since when
----@field waiting? string what it is waiting for, and how long yet
+---@field since number [s] time of the last change of the status
+---@field waiting? string what the task waits for, and the remaining time
 ---@field line? integer where it waits
 
 ---@class ProbeView
 ---@field value number|boolean|string|table
----@field tm number [s] when it was set
+---@field tm number [s] time when the value was set
 ---@field age number [s]
 
 ---@alias World table<string, Component>
@@ -1275,17 +1275,17 @@ function environment(description) end
 
 ---@class Scenario
 ---@field seed integer of this run
----@field world World the components of the system, once there is one
----@field [string] Component the same
+---@field world World the components of the system, as soon as a system exists
+---@field [string] Component a component of the system
 local s = {}
 
----Loads a system file and activates what it names. Its robots may differ by fields of a robot file.
+---Loads a system file and activates its components. Its robots may differ by fields of a robot file.
 ---@param file string
 ---@param options? LoadOptions
 ---@return World
 function s:load(file, options) end
 
----A recorded run as a world: its ports can be looked at while time moves through the recording. A journal, a recording
+---A recorded run as a world: its ports can be read while time moves through the recording. A journal, a recording
 ---of nezumi, or a recording of ROS 2 in MCAP.
 ---@param file string
 ---@param options? RecordedOptions
@@ -1293,7 +1293,7 @@ function s:load(file, options) end
 ---@return number length [s] of the recording
 function s:recorded(file, options) end
 
----Gives a behaviour what its component got in a recorded run. Fails where it writes something else than then.
+---Gives a behaviour the inputs of its component in a recorded run. Fails if an output differs from the recorded one.
 ---@param options JudgeOptions
 function s:judge(options) end
 
@@ -1301,13 +1301,13 @@ function s:judge(options) end
 ---@return number
 function s:now() end
 
----Holds from here to the end, after every tick.
+---The condition must be true after every tick, from now to the end of the scenario.
 ---@param name string
 ---@param condition Condition
 ---@overload fun(self: Scenario, name: string, options: ExpectationOptions, condition: Condition)
 function s:always(name, condition) end
 
----Never holds, from here to the end.
+---The condition must be false after every tick, from now to the end of the scenario.
 ---@param name string
 ---@param condition Condition
 ---@overload fun(self: Scenario, name: string, options: ExpectationOptions, condition: Condition)
@@ -1348,11 +1348,11 @@ function s:near(actual, expected, tolerance, message) end
 ---@param message? string
 function s:equal(actual, expected, message) end
 
----From here on this component may go to ERROR; else that fails the scenario.
+---Allows this component to go to ERROR from now on. Without this, ERROR fails the scenario.
 ---@param component Component|string
 function s:allow_error(component) end
 
----Draws values for this run, each from a range or a list, from its seed. A search chooses them; a failing run is simplified.
+---Draws values, each from a range or list, by the seed of this run. A search chooses them. A failing run is simplified.
 ---@param name string
 ---@param values table<string, any[]|Range>
 ---@return table<string, any>
@@ -1364,19 +1364,19 @@ function s:any(name, values) end
 ---@param unit? string
 function s:measure(name, value, unit) end
 
----Records these ports from here on, after every tick, and compares with the committed file beside the scenario's.
+---Records these ports after every tick from now on, and compares them with a committed file beside the scenario file.
 ---@param file string
 ---@param options GoldenOptions
 ---@param ... PortName
 ---@overload fun(self: Scenario, file: string, ...: PortName)
 function s:golden(file, options, ...) end
 
----One message as from a connection.
+---Puts one message into a port, as if it came through a connection.
 ---@param port PortName
 ---@param value any
 function s:inject(port, value) end
 
----This value and nothing else, until `release`.
+---The port has this value, whatever else is written, until `release`.
 ---@param port PortName
 ---@param value any
 ---@param options? HoldOptions
@@ -1391,17 +1391,17 @@ function s:release(port) end
 ---@return string? message
 function s:reload(component, new) end
 
----Nothing gets through.
+---No message gets through this port.
 ---@param port PortName
 ---@param seconds? number [s] without it until `restore`
 function s:drop(port, seconds) end
 
----The present value again and again.
+---The port repeats its present value.
 ---@param port PortName
 ---@param seconds? number [s] without it until `restore`
 function s:freeze(port, seconds) end
 
----A hand that moves the robot.
+---Forces velocities on a robot, as if a hand moved it.
 ---@param robot Component|string
 ---@param velocities VelocityConstraintFields
 function s:disturb(robot, velocities) end
@@ -1411,7 +1411,7 @@ function s:disturb(robot, velocities) end
 ---@param seconds? number [s] without it until `restore`
 function s:press(robot, button, seconds) end
 
----A robot, at rest; or a marker of the arena by its name, where what is left out stays as it is.
+---Moves a robot, which is then at rest. Or moves a marker or object by its name; omitted fields keep their values.
 ---@param thing Component|string
 ---@param pose PoseFields|MarkerPoseFields
 function s:teleport(thing, pose) end
@@ -1419,7 +1419,7 @@ function s:teleport(thing, pose) end
 ---Emergency stop: every robot brakes as hard as it can and ignores commands, until `rearm`.
 function s:stop() end
 
----Robots obey again what comes from now on. They must stand.
+---Ends the emergency stop: robots obey commands from now on. All robots must stand still.
 function s:rearm() end
 
 ---Ends what `drop`, `freeze`, `disturb` and `press` began.
@@ -1490,7 +1490,7 @@ function s:component(name, fields) end
 ---@param fields PhysicsFields
 function s:physics(fields) end
 
----This system is a host among others. Without the word nothing of it is on the network.
+---This system is one of several hosts. Without `network`, the system does not use the network.
 ---@param fields NetworkFields
 function s:network(fields) end
 

@@ -103,7 +103,7 @@ class Shared(SharedCase):
         self.join(room, "Taro")
         os.rename(os.path.join(room.work(), "behaviors", "controller.lua"), os.path.join(room.work(), "behaviors", "mine.lua"))
         self.page.press("Queue to drive")
-        self.page.until("document.querySelector('.shared-wrong').textContent === 'Your behaviours are not loaded: you have none of the behaviours that run here: controller.lua'",
+        self.page.until("document.querySelector('.shared-wrong').textContent === 'Your behaviours are not loaded: no file of yours is a behaviour of this system, which runs controller.lua'",
                         "it is said why")
         pupils_file(room, 1, "this is no Lua\n")
         self.go(self.page)
@@ -218,7 +218,7 @@ class Bounds(class_test.ClassCase):
         for i in range(4):
             self.assertTrue(self.save(token, "behaviors/x%d.lua" % i, text)["ok"])
         answer = self.save(token, "behaviors/x4.lua", text)
-        self.assertRegex(answer["text"], r"^nothing was saved: your files would have 1\.2 MB, and 1\.0 MB are allowed$")
+        self.assertRegex(answer["text"], r"^nothing was saved: your files would have 1\.2 MB, and at most 1\.0 MB are allowed$")
         self.assertFalse(os.path.exists(os.path.join(self.room.work(), "behaviors/x4.lua")))
         with open(os.path.join(self.room.work(), "behaviors/x3.lua")) as file:
             self.assertEqual(file.read(), text)
@@ -244,7 +244,7 @@ class Bounds(class_test.ClassCase):
             except OSError:
                 pass
         _, answers = self.ask(token, {"do": "edit", "what": "save", "file": "behaviors/x.lua", "text": "-- y\n" * 2000, "mark": mark, "id": 1})
-        self.assertEqual(answers[0]["text"], "behaviors/x.lua: can't be written: No space left on device: the file is as it was")
+        self.assertEqual(answers[0]["text"], "behaviors/x.lua: can't be written: No space left on device: the file is unchanged")
         with open(os.path.join(self.room.work(), "behaviors/x.lua")) as file:
             self.assertEqual(file.read(), "-- as it was\n")
         _, answers = self.ask("join", {"do": "class", "name": "Hanako", "id": 1})

@@ -1,4 +1,4 @@
-// Finds the installed files and connects the rooms.
+// Finds the installed files, and gives the engine its simulator, peers and drivers.
 #include "bindings/cli/base/environment.hpp"
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@
 namespace nezumi::cli {
 
 std::vector<std::filesystem::path> installed_folders() {
-    // bin/nezumi and share/nezumi are next to each other. In a build folder the second one is a link to the sources,
-    // whose path is shown to people.
+    // The folders bin and share are next to each other. In a build folder, share/nezumi is a link to the sources: the
+    // link is resolved, so that messages show the path of the sources.
     std::error_code none;
     std::filesystem::path folder =
         std::filesystem::canonical(own_program().parent_path().parent_path() / "share/nezumi", none);

@@ -19,10 +19,10 @@ std::vector<std::filesystem::path> installed_folders();
 /// The default seed of all random numbers.
 inline constexpr std::uint64_t usual_seed = 124;
 
-/// The words of system files for other hosts, ROS 2 and OpenRTM.
+/// The functions of system files that describe peers: `network`, `ros` and `rtm`.
 const PeerWords& peer_words();
 
-/// Options for simulated systems, with the project's files and the installed ones.
+/// Options for simulated systems: they find the installed files, and their networks send nothing.
 LiveOptions simulated_systems();
 
 /// The error of a program without simulation, vision and pictures (NEZUMI_SIMULATION=OFF) when one of these is needed.
@@ -30,13 +30,14 @@ inline constexpr std::string_view no_simulation =
     "this build of nezumi is for real robots only, without simulation, vision and pictures: use another computer; here "
     "you can use `nezumi run FILE --hw`";
 
-/// Returns this error in such a program if one of these is requested; it names the first one.
+/// Fails with `no_simulation` if this program has no simulation and a use is wanted (`true`). The error names the first
+/// wanted use.
 Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view, bool>> uses);
 
-/// Says on standard error why something can't be done: one plain line. Returns `exit_could_not_run`.
+/// Prints an error as one line on standard error. Returns `exit_could_not_run`.
 int refuse(std::string_view why);
 int refuse(const Error& error);
-/// That line.
+/// The line that `refuse` prints.
 std::string refusal(const Error& error);
 
 }  // namespace nezumi::cli

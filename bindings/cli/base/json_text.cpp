@@ -1,4 +1,4 @@
-// nlohmann's escapes.
+// Characters are escaped by nlohmann-json.
 #include "bindings/cli/base/json_text.hpp"
 
 #include <nlohmann/json.hpp>

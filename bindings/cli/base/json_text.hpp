@@ -1,4 +1,4 @@
-// Texts in JSON's form.
+// Texts as JSON strings.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Python is started by its full path: it is the one that Debian's packages belong to.
+// Starts Python by its full path, because only this Python has the modules of Debian's packages.
 #include "bindings/cli/base/python_program.hpp"
 
 #include <fmt/format.h>

@@ -14,7 +14,7 @@ namespace nezumi::cli {
 void open_missing_standard_files() {
     for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(file, F_GETFD) >= 0 || errno != EBADF) continue;
-        // The lowest free number is this one, because those below are open by now.
+        // open() returns the lowest free number: this is `file`, because all lower ones are open by now.
         static_cast<void>(open("/dev/null", file == STDERR_FILENO ? O_RDWR : O_RDONLY));
     }
 }

@@ -5,8 +5,8 @@
 
 namespace nezumi::cli {
 
-/// Opens /dev/null for those of the three that were closed at the start. Otherwise a file opened later would get their
-/// number and the output for people.
+/// Opens /dev/null in place of each of the three that was closed when the program started. Otherwise a file opened
+/// later would get the free number, and messages would be written into it.
 void open_missing_standard_files();
 
 /// Writes the rest of standard output. Returns the reason if output was lost, once; otherwise an empty text.

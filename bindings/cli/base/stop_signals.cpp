@@ -21,10 +21,10 @@ namespace {
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler can access nothing else
 volatile std::sig_atomic_t last_signal = 0;
 
-// Posted by each signal, and at the end.
+// Posted by each signal, and at the end of the run.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
 sem_t news;
-// Also read by the watching thread. A handler may use lock-free atomics.
+// A handler may use lock-free atomics. The watching thread reads them too.
 static_assert(std::atomic<int>::is_always_lock_free);
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
 std::atomic<int> second_signal = 0, is_watched = 0, is_over = 0;
@@ -76,7 +76,7 @@ void do_within(std::chrono::milliseconds patience, std::function<void()> action)
     is_posted_before(shared->done, std::chrono::steady_clock::now() + patience);
 }
 
-// Standard error may block.
+// Writes the line only if standard error can take data now: otherwise writing would block.
 void tell_if_taken(const std::string& line) {
     pollfd error{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
     if (poll(&error, 1, 0) > 0) static_cast<void>(write(STDERR_FILENO, line.data(), line.size()) >= 0);
@@ -84,11 +84,11 @@ void tell_if_taken(const std::string& line) {
 
 [[noreturn]] void end_by(int signal) {
     kill(getpid(), signal);
-    _exit(128 + signal);  // the first process of a container is not ended by signals
+    _exit(128 + signal);  // kill() does not end the first process of a container
 }
 
 void watch_end_of_run(const StopSignals::Ends& ends) {
-    // Waits; returns true if the run has ended.
+    // Waits for a signal or the end of the run. A second signal ends the program. Returns true if the run has ended.
     const auto is_over_before = [&](std::chrono::steady_clock::time_point until) {
         is_posted_before(news, until);
         if (second_signal != 0) {
@@ -133,7 +133,8 @@ StopSignals::StopSignals() {
 }
 
 void StopSignals::watch_end(Ends ends) {
-    // Signals must go to the thread that runs the loop, because they end its waiting.
+    // `start_thread` blocks signals in the new thread: they must go to the thread that runs the loop, to end its
+    // waiting.
     watch_ = start_thread([ends = std::move(ends)] { watch_end_of_run(ends); });
     is_watched = 1;
 }

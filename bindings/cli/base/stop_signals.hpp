@@ -1,5 +1,5 @@
-// Signals such as Ctrl-C: the first one ends a run in order, within 2 s; the second one immediately, but with complete
-// files.
+// Signals such as Ctrl-C: the first one ends a run normally within 2 s. The second one ends it immediately, but its
+// files are completed first.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace nezumi::cli {
 
-/// During its lifetime, SIGINT, SIGTERM and SIGHUP are only recorded the first time, and writing to a pipe without a
+/// While an instance exists, the first SIGINT, SIGTERM or SIGHUP is only recorded, and writing to a pipe without a
 /// reader is an ordinary error. A signal that was ignored before (nohup, background jobs of a shell) stays ignored.
 /// Only one instance at a time.
 class StopSignals {
@@ -21,10 +21,10 @@ public:
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;
 
-    /// The signal received, or 0.
+    /// The first signal that was received, or 0.
     const volatile std::sig_atomic_t& received() const;
 
-    /// What keeps a run from ending, and its exit status.
+    /// What a run is waiting for instead of ending, and the exit status if it is ended by force.
     struct Held {
         std::string by;
         int status = 0;
@@ -33,12 +33,13 @@ public:
     struct Ends {
         /// `until_given_up` after the first signal: drops what is not written yet, so that the run can end.
         std::function<void()> give_up;
-        /// At the second signal, which then ends the program, or `until_ended` after the first: completes the files
-        /// with the present data. It has one second.
+        /// Completes the files with the data so far, within one second. Called after the second signal, or
+        /// `until_ended` after the first one; then the program is ended by force.
         std::function<void()> at_once;
         std::function<Held()> held;
     };
-    /// Starts watching. A third signal ends the program without any action. Call it once.
+    /// From now on the actions of `ends` are called when they are due. A third signal ends the program without any
+    /// action. Call this function once.
     void watch_end(Ends ends);
 
     static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};

@@ -1,4 +1,5 @@
-// Replaces the drawings in a program without pictures and vision (NEZUMI_SIMULATION=OFF): each one is refused.
+// Replaces the functions for pictures and vision in a program without them (NEZUMI_SIMULATION=OFF): they return an
+// error or nothing.
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/draw/marker_sheet.hpp"
 #include "bindings/draw/picture.hpp"

@@ -20,7 +20,7 @@
 namespace nezumi::cli {
 namespace {
 
-// A system answers between two ticks, and a tick may wait for a script or a disk [ms].
+// [ms] How long to wait for an answer. A system answers between two ticks, and a tick may wait for a script or a disk.
 constexpr int longest_silence = 5000;
 
 struct AttachOptions {
@@ -53,7 +53,7 @@ Expected<int> attach_by_ssh(const AttachOptions& options, const std::string& whi
     if (!ended) return Unexpected(ended.error());
     if (ended->status == push::no_connection)
         return failure(fmt::format("{} can't be reached by ssh, or the connection broke", remote->host()));
-    constexpr int not_found = 127;  // of a shell
+    constexpr int not_found = 127;  // exit status of a shell for an unknown command
     if (ended->status == not_found)
         return failure(fmt::format("{} needs nezumi: install its package there", remote->host()));
     return ended->status;
@@ -63,7 +63,7 @@ int attach(const AttachOptions& options) {
     constexpr std::string_view by_ssh = "ssh:";
     const bool is_remote = options.which.starts_with(by_ssh);
     if (options.list && options.eval) return refuse("--list only lists running systems: leave out --eval");
-    if (options.timeout > 0 && !options.eval) return refuse("--timeout is for --eval");
+    if (options.timeout > 0 && !options.eval) return refuse("--timeout works only with --eval");
     if (!options.ssh_config.empty() && !is_remote)
         return refuse("--ssh-config is for a system on another computer, as in ssh:pi@mouse");
     if (is_remote) {
@@ -96,16 +96,16 @@ SubCommand attach_command() {
     return {
         .name = "attach",
         .help = "Open the console of a running system",
-        .options =
-            {{"[SYSTEM]", &options->which,
-              "its name (that of its file) or its process number; may be omitted if only one runs. ssh:pi@mouse, or "
-              "ssh:pi@mouse/SYSTEM: on another computer"},
-             {"--eval", &options->eval, "run this command, print the result and exit: exit status 1 if it fails",
-              "LUA"},
-             {"--timeout", &options->timeout, "with --eval: interrupt the command after this many seconds", "S",
-              number_from(0.001, 1e6)},
-             {"--list", &options->list, "only list the running systems and their processes"},
-             {"--ssh-config", &options->ssh_config, "with ssh:HOST: for ssh -F", "FILE"}},
+        .options = {{"[SYSTEM]", &options->which,
+                     "the name of its system file, or its process number; may be omitted if only one system runs. "
+                     "ssh:pi@mouse or ssh:pi@mouse/SYSTEM: a system on another computer"},
+                    {"--eval", &options->eval, "run this command, print the result and exit: exit status 1 if it fails",
+                     "LUA"},
+                    {"--timeout", &options->timeout, "with --eval: interrupt the command after this many seconds", "S",
+                     number_from(0.001, 1e6)},
+                    {"--list", &options->list, "only list the running systems and their processes"},
+                    {"--ssh-config", &options->ssh_config, "with ssh:HOST: the configuration file for ssh (ssh -F)",
+                     "FILE"}},
         .run = [options] { return attach(*options); },
         .footer =
             "Without a terminal, commands are read from standard input. Exit status: 0 success, 1 a command failed, 2 "

@@ -1,4 +1,4 @@
-// `nezumi calc`: finds the system and gives its console to the Python program for LibreOffice Calc.
+// `nezumi calc`: finds the system, and starts the Python program that links its console with LibreOffice Calc.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -33,7 +33,7 @@ int link(const CalcOptions& options) {
     std::string file;
     if (!options.file.empty()) {
         if (!std::filesystem::is_regular_file(options.file, wrong))
-            return refuse("calc: there is no file " + options.file + "; without one, a new sheet is made");
+            return refuse("calc: there is no file " + options.file + ": leave it out to make a new sheet");
         file = std::filesystem::absolute(options.file).string();
     }
     const auto program = python_file("bindings/calc/link.py");
@@ -42,7 +42,7 @@ int link(const CalcOptions& options) {
     if (!reached) return refuse(reached.error());
 
     const int socket = reached->socket.get();
-    fcntl(socket, F_SETFD, 0);  // the child process inherits it
+    fcntl(socket, F_SETFD, 0);  // keeps the socket open in the Python program
     std::vector<std::string> words{"--socket",
                                    std::to_string(socket),
                                    "--system=" + reached->system.name,
@@ -68,13 +68,14 @@ SubCommand calc_command() {
         .help = "Link a running system with LibreOffice Calc: ports in cells, both ways, live",
         .options = {{"[FILE]", &options->file, "the spreadsheet; without one, a new sheet that shows the system"},
                     {"--system", &options->system,
-                     "its name (that of its file) or its process number; may be omitted if only one runs", "SYSTEM"},
+                     "the name of its system file, or its process number; may be omitted if only one system runs",
+                     "SYSTEM"},
                     {"--port", &options->ports,
                      "in a new sheet: show only this port, or the ports of this component; may be repeated", "NAME"},
                     {"--rate", &options->rate, "refreshes per second", "HZ", number_from(4, 25)},
                     {"--profile", &options->profile, "a folder for a separate LibreOffice with its own settings",
                      "DIR"},
-                    {"--headless", &options->headless, "without a window: for machines"}},
+                    {"--headless", &options->headless, "open no window, for computers without a screen"}},
         .run = [options] { return link(*options); },
         .footer =
             "A table begins with the cells `Port` and `State` side by side; below them stand ports, right of "

@@ -35,7 +35,7 @@ struct CalibrateOptions {
     bool is_sure = false;
 };
 
-// "9x6".
+// Parses "9x6". `board_problem` checks the text.
 BoardSize board_of(const std::string& text) {
     BoardSize board;
     std::istringstream words(text);
@@ -49,10 +49,10 @@ std::string board_problem(const std::string& text) {
     if (fmt::format("{}x{}", board.columns, board.rows) == text && std::min(board.columns, board.rows) >= 3 &&
         std::max(board.columns, board.rows) <= 50)
         return "";
-    return "expected its inner corners as COLUMNSxROWS, from 3 to 50, as 9x6";
+    return "expected the numbers of inner corners as COLUMNSxROWS, each from 3 to 50, as in 9x6";
 }
 
-// One calibration, from the robot to the file.
+// One calibration: builds the robot, measures it, and writes the file.
 class Session {
 public:
     explicit Session(const CalibrateOptions& options)
@@ -61,16 +61,16 @@ public:
     Expected<int> odometry() {
         if (auto ready = begin(); !ready) return Unexpected(ready.error());
         person_.tell(
-            fmt::format("It drives a line of {} m and two squares of {} m. Mark where the middle of its axle "
-                        "stands, and which way it looks, and measure from there: x ahead, y to the left.",
+            fmt::format("The robot drives a line of {} m and two squares of {} m. Mark on the floor the position of "
+                        "the middle of its axle and its direction. Measure from this mark: x ahead, y to the left.",
                         2 * options_.side, options_.side));
         auto fit = hw::calibrate_odometry(*robot_, {.side = options_.side},
                                           {.place = [&](const std::string& drive) { return place(drive); },
                                            .measure = [&](const std::string&) { return measure(); }});
         if (!fit) return Unexpected(fit.error());
         fmt::print(
-            "track {:.5f} m, left radius {:.6f} m, right radius {:.6f} m; the ends are {:.4f} m off, {:.4f} m "
-            "before\n",
+            "track {:.5f} m, left radius {:.6f} m, right radius {:.6f} m; root mean square error of the ends {:.4f} m, "
+            "before the calibration {:.4f} m\n",
             fit->wheels.track, fit->wheels.left_radius, fit->wheels.right_radius, fit->after, fit->before);
         return write(robot_entry(), [&](Calibration& calibration) { calibration.odometry = fit->wheels; });
     }
@@ -116,8 +116,8 @@ public:
         if (!fit) return Unexpected(fit.error());
         const CameraIntrinsics& intrinsics = fit->intrinsics;
         fmt::print(
-            "fx {:.2f}, fy {:.2f}, cx {:.2f}, cy {:.2f} px, k1 {:.4f}, k2 {:.4f}, p1 {:.5f}, p2 {:.5f}, k3 {:.4f}; the "
-            "corners are {:.3f} px off\n",
+            "fx {:.2f}, fy {:.2f}, cx {:.2f}, cy {:.2f} px, k1 {:.4f}, k2 {:.4f}, p1 {:.5f}, p2 {:.5f}, k3 {:.4f}; "
+            "root mean square error of the corners {:.3f} px\n",
             intrinsics.fx, intrinsics.fy, intrinsics.cx, intrinsics.cy, intrinsics.k1, intrinsics.k2, intrinsics.p1,
             intrinsics.p2, intrinsics.k3, fit->error);
         return write((*camera)->robot(),
@@ -146,11 +146,11 @@ private:
 
     Expected<void> place(const std::string& drive) {
         if (options_.simulated) start_ = truth();
-        return person_.confirm(fmt::format("Put it on its mark for {}.", drive));
+        return person_.confirm(fmt::format("Put the robot on its mark for {}.", drive));
     }
     Expected<Point2D> measure() {
         if (options_.simulated) return seen_from(start_, truth()).position;
-        const auto end = person_.numbers("Where does it stand now: x y [m]", 2);
+        const auto end = person_.numbers("Where is the robot now: x y [m]", 2);
         if (!end) return Unexpected(end.error());
         return Point2D{(*end)[0], (*end)[1]};
     }
@@ -167,11 +167,11 @@ private:
         return nearest;
     }
 
-    // Writes the file with the new values; others stay.
+    // Writes the calibration file with the new values. Other values of the file are kept.
     template <class Change>
     Expected<int> write(const RobotEntry& robot, Change change) {
         if (options_.simulated) {
-            fmt::print("nothing is written: it was simulated\n");
+            fmt::print("nothing is written, because this was a simulation\n");
             return exit_done;
         }
         const std::filesystem::path path = calibration_path(options_.file, robot.name);
@@ -189,7 +189,7 @@ private:
         change(calibration);
         if (auto written = write_whole(path, write_calibration(calibration)); !written)
             return Unexpected(written.error());
-        fmt::print("{} is used by nezumi run --hw\n", path.string());
+        fmt::print("wrote {}: nezumi run --hw uses this file from now on\n", path.string());
         return exit_done;
     }
 

@@ -42,7 +42,7 @@ Expected<std::string> read_input(const std::string& shown) {
     return text;
 }
 
-// [{"file":"x.lua","line":3,"column":5,"message":"..."}], without unknown parts.
+// [{"file":"x.lua","line":3,"column":5,"message":"..."}]; a line or column that is unknown is left out.
 std::string to_json(const std::vector<Error>& errors) {
     std::string text;
     for (const Error& error : errors) {
@@ -65,7 +65,7 @@ public:
     }
     void add(std::vector<Error> errors) {
         for (Error& error : errors) {
-            // A script that several systems name is wrong once.
+            // An error in a script that several systems use is reported once.
             if (contains(errors_, error)) continue;
             if (!json_) fmt::print("{}\n", visible_message(describe(error)));
             errors_.push_back(std::move(error));

@@ -45,7 +45,7 @@ struct ClassWords {
     std::string quota;
 };
 
-// The shared system, with real robots only by the teacher's word.
+// The options of the shared system. Its robots are real only if the teacher gave --hw.
 Expected<web::SharedOptions> shared_of(const ClassWords& words, const std::optional<Hardware>& hardware) {
     web::SharedOptions shared;
     if (words.shared.empty() && hardware)
@@ -57,7 +57,7 @@ Expected<web::SharedOptions> shared_of(const ClassWords& words, const std::optio
     const auto system = read_system_file(*file, Project::of(*file, installed_folders()), {.peer_words = peer_words()});
     if (!system) return Unexpected(system.error());
     if (!hardware) return shared;
-    // A pupil's copy of a driver would stand between the robot's limits and its motors.
+    // The limits of a robot apply before its driver: a pupil's copy of a driver script could exceed them.
     const auto has_script = [](const auto& model) { return !model.second.hardware.script.empty(); };
     const auto is_wire = [](const ComponentEntry* entry) { return find_device_kind(entry->type) != nullptr; };
     const auto components = entries_of<ComponentEntry>(*system);
@@ -148,7 +148,7 @@ SubCommand class_command() {
             .options = std::move(options),
             .run = [words] { return run_class(*words); },
             .footer =
-                "Each pupil gets a copy of the exercise and a system of their own, which can reach nothing else. "
+                "Each pupil gets a copy of the exercise and a system of their own, which can't access anything else. "
                 "Ctrl-C ends the class;\nthe work stays in DIR, and pupils come back with their codes. See "
                 "docs/classroom.md."};
 }

@@ -1,4 +1,4 @@
-// The sub-commands of `nezumi`: each file of this room describes one and says what it does.
+// The sub-commands of `nezumi`: each one is described and implemented in a file of this folder.
 #pragma once
 
 #include "bindings/cli/base/status.hpp"
@@ -32,7 +32,7 @@ SubCommand rtc_command();
 SubCommand open_command();
 SubCommand compare_command();
 SubCommand judge_command();
-/// These two describe the whole program, which `program` gives.
+/// These two describe the whole program: `program` returns its description.
 SubCommand completion_command(SubCommand (*program)());
 SubCommand manual_command(SubCommand (*program)());
 

@@ -20,7 +20,7 @@ namespace nezumi::cli {
 namespace {
 
 struct LoadedRun {
-    std::unique_ptr<Replay> replay;  // its files outlive the system
+    std::unique_ptr<Replay> replay;  // declared first: its files must outlive the system
     std::unique_ptr<RunningSystem> system;
 };
 
@@ -62,7 +62,7 @@ struct CompareWords {
     std::string first, second, plot;
 };
 
-// Repeats both runs whole, and draws the fields that differ first.
+// Repeats both runs to their ends, and draws the fields that differ at the first difference.
 Expected<void> draw_difference(const CompareWords& words, const RunDifference& found) {
     std::vector<std::string> fields;
     for (const DifferingValue& value : found.values) fields.push_back(value.name);

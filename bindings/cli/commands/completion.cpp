@@ -28,7 +28,7 @@ SubCommand completion_command(SubCommand (*program)()) {
     auto shell = std::make_shared<std::string>();
     return {.name = "completion",
             .help = "Write a script that lets a shell complete nezumi's command line",
-            .options = {{"SHELL", shell.get(), "which", "bash|zsh|fish"}},
+            .options = {{"SHELL", shell.get(), "the shell", "bash|zsh|fish"}},
             .run = [shell, program] { return write_completion(program(), *shell); },
             .footer =
                 "For this shell: `source <(nezumi completion bash)`, `source <(nezumi completion zsh)`, `nezumi "

@@ -36,7 +36,7 @@ int run_confined(const ConfinedOptions& options) {
     const std::filesystem::path folder = std::filesystem::canonical(options.folder, none);
     if (none || !std::filesystem::is_directory(folder, none))
         return refuse(fmt::format("confined: there is no folder {}", shown(options.folder)));
-    // In a class, pupils name files from their project, and messages name them so.
+    // In a class, names of files are relative to the pupil's project, also in messages.
     if (contains(options.words, "--page-on-input")) std::filesystem::current_path(folder, none);
     // Other files that programs write go into the folder, too.
     for (const char* name : {"HOME", "TMPDIR", "XDG_RUNTIME_DIR", "XDG_STATE_HOME"})
@@ -61,18 +61,19 @@ int run_confined(const ConfinedOptions& options) {
 
 SubCommand confined_command() {
     auto options = std::make_shared<ConfinedOptions>();
-    return {.name = "confined",
-            .help = "Run a command of nezumi that can reach only one folder and the installed files",
-            .options = {{"--bounds-only", &options->bounds_only,
-                         "limit only memory, files and priority: for kernels without Landlock"},
-                        {"--devices", &options->devices, "devices in this folder may be used as well; may be repeated",
-                         "DIR"},
-                        {"FOLDER", &options->folder, "the folder that it may read and write"},
-                        {"WORDS", &options->words, "the command and its arguments, after --"}},
-            .run = [options] { return run_confined(*options); },
-            .footer =
-                "The kernel keeps it and all programs that it starts from other files, from devices, from the network, "
-                "and from\nmore than 512 MB of memory. `nezumi class` runs the work of pupils in this way."};
+    return {
+        .name = "confined",
+        .help = "Run a command of nezumi that can reach only one folder and the installed files",
+        .options = {{"--bounds-only", &options->bounds_only,
+                     "limit only memory, files and priority: for kernels without Landlock"},
+                    {"--devices", &options->devices, "devices in this folder may be used as well; may be repeated",
+                     "DIR"},
+                    {"FOLDER", &options->folder, "the folder that it may read and write"},
+                    {"WORDS", &options->words, "the command and its arguments, after --"}},
+        .run = [options] { return run_confined(*options); },
+        .footer =
+            "The kernel denies this command, and all programs that it starts, access to other files, to devices and to "
+            "the network,\nand limits their memory to 512 MB. `nezumi class` runs the work of pupils in this way."};
 }
 
 }  // namespace nezumi::cli

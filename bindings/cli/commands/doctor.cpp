@@ -103,7 +103,7 @@ int doctor(const DoctorOptions& options) {
     if (!devices) return refuse(devices.error());
     hw::Examination examination = hw::examine(roots(options), *devices);
     if (options.move) {
-        if (examination.driver.empty()) return refuse("--move: this machine has no robot");
+        if (examination.driver.empty()) return refuse("--move: no robot was found on this machine");
         if (!options.json) print(examination.findings);
         const auto moved = moves(options, examination.driver);
         if (!moved) return refuse(moved.error());

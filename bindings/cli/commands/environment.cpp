@@ -58,7 +58,7 @@ std::string text_of(const std::vector<SpacePart>& parts) {
     return all;
 }
 
-// One episode with the actions 0, as long as the limit or 100 steps.
+// Runs one episode in which all actions are 0. It ends after `limit` steps, or after 100 if there is no limit.
 Expected<void> try_episode(const EpisodePlan& plan, std::uint64_t seed) {
     constexpr std::int64_t usual_steps = 100;
     auto episode = Episode::begin(plan, seed);
@@ -91,13 +91,14 @@ int run_environment(const EnvironmentOptions& options) {
         return refuse(fmt::format("--worlds: expected a number from 1 to {}, got {}", most_worlds, options.worlds));
     const std::uint64_t count = options.count.value_or(options.worlds - std::min(options.first, options.worlds));
     if (count < 1 || options.first >= options.worlds || count > options.worlds - options.first)
-        return refuse(fmt::format("--first and --count: there are {} worlds, the first is 0", options.worlds));
+        return refuse(fmt::format(
+            "--first and --count: expected at least one of the {} worlds, whose numbers begin with 0", options.worlds));
     const auto plan = plan_of(options.file);
     if (!options.memory) {
         const Expected<void> tried = plan ? try_episode(*plan, options.seed) : Unexpected(plan.error());
         return tried ? exit_done : refuse(tried.error());
     }
-    // The program at the other end gets the error as its answer.
+    // The program that started this process gets an error as JSON.
     const Expected<void> served = !plan ? Unexpected(plan.error())
                                         : serve_worlds(*plan,
                                                        {.memory = static_cast<int>(*options.memory),
@@ -118,15 +119,15 @@ SubCommand environment_command() {
     return {.name = "environment",
             .help = "Try an environment for learning programs, or serve its worlds",
             .options = {{"FILE", &options->file, "a file with environment { ... }", "", {}, FileUse::source},
-                        {"--seed", &options->seed, "of the tried episode", "N"},
+                        {"--seed", &options->seed, "the seed of the tried episode", "N"},
                         {"--worlds", &options->worlds, "number of worlds in the shared memory", "N"},
-                        {"--first", &options->first, "first world of this process", "N"},
+                        {"--first", &options->first, "number of the first world of this process", "N"},
                         {"--count", &options->count, "number of worlds of this process (default: the rest)", "N"},
                         {"--memory", &options->memory, "serve worlds: descriptor of the memory to share", "FD"}},
             .run = [options] { return run_environment(*options); },
             .footer =
-                "Without --memory it makes one episode with actions of 0 and tells what it found. The Python class "
-                "nezumi_env.Vector\nstarts it with --memory, and sends it commands."};
+                "Without --memory, this command runs one episode in which all actions are 0, and shows the result. The "
+                "Python class\nnezumi_env.Vector starts it with --memory, and sends it commands."};
 }
 
 }  // namespace nezumi::cli

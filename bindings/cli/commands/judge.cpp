@@ -36,7 +36,7 @@ struct JudgeWords {
     bool watch = false;
 };
 
-// "/scan=keeper.rays" is the topic of a port.
+// Parses --map: "/scan=keeper.rays" is the topic /scan for the port `rays` of `keeper`.
 Expected<std::map<std::string, std::string>> read_maps(const std::vector<std::string>& maps) {
     std::map<std::string, std::string> all;
     for (const std::string& each : maps) {
@@ -50,7 +50,7 @@ Expected<std::map<std::string, std::string>> read_maps(const std::vector<std::st
     return all;
 }
 
-// Fields that differ; if none does, all.
+// Draws the fields that differ, or all fields if none differs.
 Expected<void> draw_judgement(const JudgeWords& words, const Judgement& judged, const JudgedCurves& curves) {
     RunPlot plot{.title = fmt::format("{} in {}", words.behavior, words.run),
                  .fields = {},
@@ -80,7 +80,7 @@ int judge_once(const JudgedRun& run, double tolerance, const JudgeWords& words) 
     return judged->different == 0 ? exit_done : exit_failed;
 }
 
-// The time of the last change of the behaviour, or of a file beside it.
+// The time of the last change of the behaviour's file, or of another Lua file in its folder.
 fs::file_time_type changed_at(const fs::path& behavior) {
     std::error_code none;
     fs::file_time_type last = fs::last_write_time(behavior, none);
@@ -140,7 +140,8 @@ SubCommand judge_command() {
                      "the recorded component (default: the one with this file, or of this name)", "NAME"},
                     {"--map", &words->maps, "the topic of a port, as in /scan=keeper.rays (default: /COMPONENT/PORT)",
                      "TOPIC=NAME.PORT"},
-                    {"--tolerance", &words->tolerance, "largest difference of equal numbers (default 1e-6)", "X"},
+                    {"--tolerance", &words->tolerance, "numbers with at most this difference are equal (default 1e-6)",
+                     "X"},
                     {"--plot",
                      &words->plot,
                      "draw what differs: what was written then, and what is written now",

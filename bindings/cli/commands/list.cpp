@@ -49,7 +49,7 @@ std::string first_line_of(std::string_view text) {
     return visible_message(comment.substr(0, comment.find('\n')));
 }
 
-// Adds the files of a project, or of an installation, except those with the name of an earlier one.
+// Adds the files of a project, or of an installation, except files with the name of an earlier file.
 void add_files(const fs::path& root, const Project& project, std::map<std::string_view, Listing>& all) {
     for (const char* folder : {"behaviors", "engine/robots"}) {
         for (const fs::path& file : find_files(root / folder, ".lua").files) {

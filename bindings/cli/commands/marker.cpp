@@ -55,7 +55,7 @@ int write_markers(const MarkerOptions& options) {
         return refuse(fmt::format("marker: there is no paper '{}'{}; known are {}", shown(options.paper),
                                   did_you_mean(options.paper, names), fmt::join(names, ", ")));
     }
-    // In whole millimetres, in spite of rounding.
+    // Rounded down to whole millimetres; 1e-6 compensates for rounding errors.
     if (const double largest = std::floor(draw::largest_marker(*paper) * 1000 + 1e-6) / 1000; options.size > largest) {
         return refuse(fmt::format("marker: {} m does not fit on {}: the largest marker on it is {:.3f} m", options.size,
                                   paper->name, largest));

@@ -32,7 +32,7 @@ Expected<MazeFormat> format_named(std::string_view name) {
                                did_you_mean(name, maze_formats), fmt::join(maze_formats, ", ")));
 }
 
-// From cell to cell: "N3 E2 S1".
+// The way as text: "N3 E2 S1" is 3 cells north, 2 east, 1 south. Sets the number of turns.
 std::string steps_of(const std::vector<MazeCell>& way, int& turns) {
     struct Leg {
         char side;

@@ -1,4 +1,4 @@
-// `nezumi mcp`: gives a project to the Python program that speaks the Model Context Protocol.
+// `nezumi mcp`: starts the Python program that serves a project by the Model Context Protocol.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -46,20 +46,21 @@ int run_mcp(const McpOptions& options) {
 
 SubCommand mcp_command() {
     auto options = std::make_shared<McpOptions>();
-    return {
-        .name = "mcp",
-        .help = "Serve a project to an agent: the Model Context Protocol on standard input and output",
-        .options = {{"--project", &options->project,
-                     "the project's folder, which has behaviors/ (default: the one here)", "DIR"},
-                    {"--may-drive", &options->may_drive, "allow the agent to drive real robots for short times"},
-                    {"--max-speed", &options->max_speed, "the maximum speed at which the agent drives [m/s]", "V",
-                     number_from(0.01, 1.5)},
-                    {"--accept", &options->accept,
-                     "let all scenarios count as they are now, also those that came since the first agent, and end"}},
-        .run = [options] { return run_mcp(*options); },
-        .footer =
-            "What an agent writes goes live only if the project's scenarios for it pass in a copy. It can't change "
-            "scenarios.\nReal robots are read only without --may-drive. See docs/agents.md."};
+    return {.name = "mcp",
+            .help = "Serve a project to an agent: the Model Context Protocol on standard input and output",
+            .options = {{"--project", &options->project,
+                         "the project's folder, which has behaviors/ (default: the one here)", "DIR"},
+                        {"--may-drive", &options->may_drive, "allow the agent to drive real robots for short times"},
+                        {"--max-speed", &options->max_speed, "the maximum speed at which the agent drives [m/s]", "V",
+                         number_from(0.01, 1.5)},
+                        {"--accept", &options->accept,
+                         "accept all scenarios as they are now, also those that were added since the first use of this "
+                         "command, and exit"}},
+            .run = [options] { return run_mcp(*options); },
+            .footer =
+                "A file that an agent writes goes live only if the scenarios for it pass in a copy of the project. An "
+                "agent can't change scenarios.\nWithout --may-drive, an agent can only read real robots. See "
+                "docs/agents.md."};
 }
 
 }  // namespace nezumi::cli

@@ -45,7 +45,8 @@ int run_mms(const MmsOptions& options) {
     if (!system) return refuse(system.error());
     const bool is_real = !options.hw.text.empty();
     const bool is_paced = options.speed != "max";
-    if (is_real && options.speed != "1") return refuse("mms: --speed is for a simulated mouse: --hw runs by the clock");
+    if (is_real && options.speed != "1")
+        return refuse("mms: --speed works only with a simulated mouse: leave out --speed or --hw");
     std::vector<std::string> run;
     const auto give = [&](const std::string& name, const std::string& value) {
         if (value.empty()) return;
@@ -83,18 +84,18 @@ SubCommand mms_command() {
         .options =
             {{"PROGRAM", &options->solver, "the solver with its options, after --"},
              {"--maze", &options->maze, "a drawing, a .maz or a .num file", "FILE", {}, FileUse::source},
-             {"--robot", &options->robot, "the model of the mouse; its ports are called as those of raspimouse",
-              "MODEL"},
-             {"--thickness", &options->thickness, "of the walls [m]", "M", number_from(0.001, 0.05)},
+             {"--robot", &options->robot,
+              "the model of the mouse; its ports must have the same names as those of raspimouse", "MODEL"},
+             {"--thickness", &options->thickness, "the thickness of the walls [m]", "M", number_from(0.001, 0.05)},
              {"--speed", &options->speed, "factor of real time, or as fast as possible, without the page", "X|max"},
-             {"--seed", &options->seed, "of the run", "N"},
-             {"--sensors", &options->sensors, "answer what the mouse's sensors have seen, not what the file says"},
+             {"--seed", &options->seed, "the seed of the run", "N"},
+             {"--sensors", &options->sensors, "answer the solver by the mouse's sensors, not by the file of the maze"},
              {"--marks", &options->marks, "print the walls, colours and texts that the solver has set"},
-             {"--hw", &options->hw, "drive the real mouse; its sensors tell the walls"},
+             {"--hw", &options->hw, "drive the real mouse; its sensors detect the walls"},
              {"--dev-root", &options->dev_root, "with --hw: the folder of the device files (default /dev)", "DIR"},
              {"--sys-root", &options->sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
-             {"--port", &options->port, "of the page (default: 8765, or the next free one)", "N"},
-             {"--no-web", &options->no_web, "no page"},
+             {"--port", &options->port, "the port of the page (default: 8765, or the next free one)", "N"},
+             {"--no-web", &options->no_web, "serve no page"},
              {"--open", &options->open, "show the page in the browser"}},
         .run = [options] { return run_mms(*options); },
         .footer =

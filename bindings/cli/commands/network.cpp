@@ -33,7 +33,7 @@ struct ListOptions {
     double seconds = 3;  // hosts announce themselves about once per second
 };
 
-// The secret for finding hosts: on the loopback by default this user's, if there is one.
+// The secret of the hosts to list. Default on the loopback: this user's secret, if there is one.
 std::optional<Expected<dds::Secret>> secret_for(const ListOptions& options) {
     if (!options.secret.empty()) return dds::read_secret(options.secret, options.secret);
     const auto own = dds::user_secret_file();
@@ -77,7 +77,7 @@ int write_secret(const std::string& file) {
                         "longer connect: give "
                         "another name",
                         file));
-    // Other users must not be able to read it, even while it is written.
+    // Other users must not be able to read the secret, even while the file is being written.
     const mode_t before = umask(077);
     const auto written = write_whole(file, dds::secret_text(dds::make_secret()));
     umask(before);
@@ -96,7 +96,7 @@ SubCommand network_command() {
     auto list = std::make_shared<ListOptions>();
     auto file = std::make_shared<std::string>();
     return {.name = "network",
-            .help = "Look at the hosts and topics of a network, make a secret for one",
+            .help = "List the hosts and topics of a network, or make a secret for a network",
             .commands = {
                 {.name = "list",
                  .help = "Print the hosts that announce themselves, and the topics of ROS 2",

@@ -34,21 +34,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// `name` is the first file's name in other files.
+// `name`: how other files name the first of these files; "": they do not name it.
 int write_files(const std::vector<NewFile>& files, const std::string& next, const std::string& name = "") {
     const std::string shipped = name.empty() ? "" : shipped_file_called(name);
     if (auto ok = write_new_files(files); !ok) return refuse(ok.error());
     for (const NewFile& file : files) fmt::print("wrote {}\n", file.path.string());
     fmt::print("now try: {}\n", next);
     if (!shipped.empty()) {
-        fmt::print(stderr,
-                   "nezumi: in this project '{}' now means {}, no longer {}: rename it if you do not want that\n", name,
-                   files.front().path.string(), shipped);
+        fmt::print(
+            stderr,
+            "nezumi: in this project '{}' now means {}, no longer {}: rename the new file if you do not want that\n",
+            name, files.front().path.string(), shipped);
     }
     return exit_done;
 }
 
-// The project of the working folder; outside of any project, a new one starts here.
+// The project of the working folder. Outside of a project, the working folder is the root of a new one.
 struct Here {
     Project project = Project::of("here", installed_folders());
     fs::path root;
@@ -87,7 +88,7 @@ int new_behavior(NewBehavior wanted, const std::string& rtc) {
                        "nezumi test " + scenario, texts->name);
 }
 
-// The error that the text would have in this file.
+// The first error that the text would have as this file.
 std::optional<Error> problem_of(const std::string& text, const std::string& file) {
     auto errors = check_text(text, file, simulated_systems());
     return errors.empty() ? std::nullopt : std::optional<Error>(std::move(errors.front()));
@@ -104,7 +105,7 @@ std::unique_ptr<Script> load_behavior(const Project& project, const std::string&
     return script ? std::move(*script) : nullptr;
 }
 
-// The system of a profile of RTSystemEditor; its name is the profile's if none is given.
+// The text of a system file for a profile of RTSystemEditor. Sets an empty `name` to the name of the profile.
 Expected<std::string> read_rts(const std::string& rts, std::string& name, std::vector<std::string>& remarks) {
     const auto text = read_whole(rts, rts);
     if (!text) return Unexpected(text.error());
@@ -166,7 +167,7 @@ int new_scenario(const NewScenario& wanted) {
     if (!system) return refuse(system.error());
     const Here here;
     const std::string written = here.scenario(*name);
-    // In a scenario's form: the path from behaviors/ on.
+    // A scenario names the system by its path below behaviors/.
     const std::string shown_path = project.shown(*file);
     const std::size_t behaviors = shown_path.rfind("behaviors/");
     const std::string path =
@@ -260,7 +261,7 @@ SubCommand new_command() {
                      {},
                      FileUse::source}},
         .run = [system, rts] { return new_system(*system, *rts); },
-        .footer = "Nothing is written unless the system would load."};
+        .footer = "The file is written only if the system can be loaded."};
     auto robot = std::make_shared<std::string>();
     const SubCommand robots{
         .name = "robot",
@@ -280,7 +281,7 @@ SubCommand new_command() {
         .help = "Write an exercise for a class: a text, files to start with, shown and hidden scenarios",
         .options = {{"NAME", exercise.get(), "of the folder in exercises/, and of the system file"}},
         .run = [exercise] { return new_exercise(*exercise); },
-        .footer = "Type it in the folder of the class. See docs/classroom.md."};
+        .footer = "Run this command in the folder of the class. See docs/classroom.md."};
     return {.name = "new",
             .help = "Write a new behaviour, system, robot, scenario, exercise or project",
             .commands = {behavior, systems, robots, scenarios, exercises, project}};

@@ -1,4 +1,4 @@
-// `nezumi open`: opens a past run with all its moments, paused at its end.
+// `nezumi open`: opens a past run, paused at its end; each of its moments can be shown.
 #include <memory>
 #include <utility>
 

@@ -44,7 +44,8 @@ Expected<fs::path> project_here() {
     return fs::canonical(root, none);
 }
 
-// Prints the version of nezumi there, and receives the project if it is ours. Works the same in any `sh`.
+// The command for the robot: prints its version of nezumi, and receives the project if the version is ours. Works in
+// any `sh`.
 std::string receiving_command() {
     return "exec sh -c " + shell_text(fmt::format("v=$(nezumi --version) || exit; echo \"$v\"; "
                                                   "test \"$v\" = '{}' && exec nezumi receive",
@@ -92,7 +93,7 @@ std::string_view word_for(What what) {
     }
 }
 
-// A name on one line.
+// The name as one line: quoted if it has special characters.
 std::string name_shown(const std::string& name) {
     const std::string quoted = lua_quoted(name);
     return quoted.size() == name.size() + 2 ? name : quoted;
@@ -118,7 +119,8 @@ void say_changes(const push::Sent& sent, const std::string& host, bool only_show
     if (sent.has_finished)
         put_text(stderr, fmt::format("nezumi: an interrupted push to {} was finished first\n", host));
     if (!sent.copy_before.empty() && !only_shows)
-        put_text(stderr, fmt::format("nezumi: {} no longer needs the folder {}: an earlier version of nezumi made it\n",
+        put_text(stderr, fmt::format("nezumi: {} no longer needs the folder {}, which an earlier version of nezumi "
+                                     "made: you can remove it\n",
                                      host, sent.copy_before));
 }
 
@@ -130,8 +132,8 @@ Expected<int> run_there(const push::Remote& remote, const std::string& folder, s
     if (!ran) return Unexpected(ran.error());
     if (ran->status == push::no_connection)
         return failure(
-            fmt::format("the connection to {} broke: its guard has stopped the robot if the run has ended, "
-                        "`nezumi attach ssh:{}` shows whether it continues",
+            fmt::format("the connection to {} broke: if the run has ended, the guard process has stopped the robot; "
+                        "`nezumi attach ssh:{}` shows whether the run continues",
                         remote.host(), remote.host()));
     return ran->status;
 }
@@ -162,7 +164,8 @@ Expected<int> push_project(const PushOptions& options) {
                                  is_whole ? "" : ", except for the files that were kept"));
     if (options.run.empty()) return is_whole ? exit_done : exit_failed;
     if (!is_whole)
-        return failure(fmt::format("{} is not run: {} has other files than the project", options.run, remote->host()));
+        return failure(fmt::format("{} is not run, because {} kept files that differ from the project", options.run,
+                                   remote->host()));
     std::fflush(stdout);
     return run_there(*remote, sent->folder, options.run);
 }
@@ -171,26 +174,26 @@ Expected<int> push_project(const PushOptions& options) {
 
 SubCommand push_command() {
     auto options = std::make_shared<PushOptions>();
-    return {.name = "push",
-            .help = "Copy this project to a robot by ssh; a system that runs on the robot reloads it",
-            .options = {{"HOST", &options->host, "the address for ssh, for example pi@mouse"},
-                        {"--run", &options->run, "then run this system file of the project on the robot, with --hw",
-                         "FILE"},
-                        {"--to", &options->folder,
-                         "the folder on the robot (default: the project's name, in the home folder)", "DIR"},
-                        {"--dry-run", &options->dry_run, "only show the changes that would be made on the robot"},
-                        {"--ssh-config", &options->config, "for ssh -F", "FILE"}},
-            .run =
-                [options] {
-                    const auto status = push_project(*options);
-                    return status ? *status : refuse(status.error());
-                },
-            .footer =
-                "Both computers need the same version of nezumi. The project is copied completely or not at all. Only "
-                "files from an earlier push are replaced or removed: files that the robot has written stay, and a file "
-                "that was edited on the robot is kept and reported.\nExit status: 0 the project was copied (with "
-                "--run: that "
-                "of the run), 1 it was copied except for files that were kept, 2 it was not copied."};
+    return {
+        .name = "push",
+        .help = "Copy this project to a robot by ssh; a system that runs on the robot reloads it",
+        .options = {{"HOST", &options->host, "the address for ssh, for example pi@mouse"},
+                    {"--run", &options->run, "then run this system file of the project on the robot, with --hw",
+                     "FILE"},
+                    {"--to", &options->folder,
+                     "the folder on the robot (default: the project's name, in the home folder)", "DIR"},
+                    {"--dry-run", &options->dry_run, "only show the changes that would be made on the robot"},
+                    {"--ssh-config", &options->config, "the configuration file for ssh (ssh -F)", "FILE"}},
+        .run =
+            [options] {
+                const auto status = push_project(*options);
+                return status ? *status : refuse(status.error());
+            },
+        .footer =
+            "Both computers need the same version of nezumi. The project is copied completely or not at all. Only "
+            "files from an earlier push are replaced or removed: files that the robot has written stay, and a file "
+            "that was edited on the robot is kept and reported.\nExit status: 0 the project was copied (with --run: "
+            "the exit status of the run), 1 it was copied except for files that were kept, 2 it was not copied."};
 }
 
 }  // namespace nezumi::cli

@@ -69,8 +69,8 @@ int write_profile(const std::string& given) {
 }
 
 struct RestoreOptions {
-    std::string file;     ///< none is a behaviour's
-    std::string profile;  ///< of a system
+    std::string file;     ///< a behaviour, whose profile is written; "": none
+    std::string profile;  ///< the profile of a system to restore; "": none
     std::vector<std::string> nameservers;
     double wait = 10;  ///< [s] for components that are not running yet
 };

@@ -1,4 +1,4 @@
-// `nezumi share`: a past run as one HTML file, with the engine in it or with what was recorded.
+// `nezumi share`: a past run as one HTML file, which contains the engine or the recorded values.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace nezumi::cli {
 namespace {
 
 constexpr std::size_t largest_page = std::size_t{1} << 24;  // [bytes] without the run
-constexpr std::size_t largest_light_page = 800'000;         // [bytes] with it
+constexpr std::size_t largest_light_page = 800'000;         // [bytes] with the run
 constexpr std::string_view place_of_run = "<!-- the run -->";
 
 struct ShareOptions {
@@ -33,7 +33,8 @@ struct ShareOptions {
     bool light = false;
 };
 
-// A page as .ci/web makes it, beside the program or among its sources: what is before the run, and after it.
+// Reads a page that .ci/web made, from the installed files or from the build folder. Returns the parts before and after
+// the run.
 Expected<std::pair<std::string, std::string>> read_page(const char* name) {
     std::error_code none;
     for (const std::filesystem::path& folder : installed_folders()) {
@@ -55,9 +56,9 @@ std::string packed(std::string_view run) {
     return fmt::format("<script id=\"run\" type=\"text/plain\">{}</script>", to_base64(record::gzipped(run)));
 }
 
-// The run with as many frames as fit.
+// The run as text, with as many frames as fit into `most` bytes.
 Expected<std::string> fitting(web::LightRun& run, const std::string& file, std::size_t most) {
-    // A number takes at least a letter: what certainly does not fit is not packed.
+    // Each number takes about one byte or more, so smaller steps need not be tried.
     for (std::size_t step = 1 + run.numbers() / most; step < run.frames() + 2;) {
         std::string text = packed(run.text(version(), step));
         if (text.size() <= most) return text;
@@ -67,7 +68,7 @@ Expected<std::string> fitting(web::LightRun& run, const std::string& file, std::
         fmt::format("share: {} does not fit into {} KB: leave out --light", file, largest_light_page / 1000));
 }
 
-// Repeats the run, and notes it.
+// Repeats the run, and notes each tick for the page.
 Expected<std::string> light(const std::string& journal, const std::string& file, std::size_t most) {
     const auto replay = Replay::of_text(journal, file, version());
     if (!replay) return Unexpected(replay.error());
@@ -128,8 +129,7 @@ SubCommand share_command() {
         .footer =
             "A browser opens the file without a server and without a network. It has the engine in it and is paused "
             "at the\nend of the run: the time line goes to any moment of it, and a change starts a branch. It "
-            "contains the files of\nthe run; one with --light has where everything was and the values of ports "
-            "instead."};
+            "contains the files of\nthe run; with --light it has only positions and the values of ports."};
 }
 
 }  // namespace nezumi::cli

@@ -18,7 +18,7 @@ SubCommand test_command() {
         .options =
             {{"[PATHS]", &options->paths, "scenario files, and folders that are searched for *_test.lua"},
              {"--project", &options->project,
-              "test this project: PATHS, and -o, are in its folder (default: the one here)", "DIR"},
+              "test this project: PATHS and -o are relative to its folder (default: the project here)", "DIR"},
              {"--filter", &options->filter, "only runs whose name contains this; a complete name selects only this run",
               "TEXT"},
              {"--list", &options->list, "show the names of the runs and where they are, and run nothing"},
@@ -31,8 +31,8 @@ SubCommand test_command() {
               "runs that differ only in this key of their sweep have the same seed; shows the differences between them",
               "NAME"},
              {"--search", &options->search,
-              "choose this many runs one after the other, where margins are small and lines are new, of each scenario "
-              "that draws values (a range in its sweep, or s:any)",
+              "for each scenario that draws values (a range in its sweep, or s:any): choose this many runs one after "
+              "the other, where margins are small or new lines are executed",
               "N", whole_number(1, most_runs, "100000")},
              {"--repeat", &options->repeat,
               "repeat each run this many times (default 1); all must have the same trace hash", "N",
@@ -47,7 +47,7 @@ SubCommand test_command() {
              {"--merge", &options->merge,
               "merge the results of parts (--shard) into one report; PATHS are the folders of the parts"},
              {"--watch", &options->watch,
-              "after each save, run the scenarios that have read the file, those that failed first, until Ctrl-C"},
+              "after each save, run the scenarios that have read the saved file, failed ones first, until Ctrl-C"},
              {"--open", &options->open,
               "open the first failed run in the page and the console, paused where it failed, as nezumi open does"},
              {"--show", &options->show,

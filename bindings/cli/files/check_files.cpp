@@ -1,4 +1,4 @@
-// Gives each file to the reader that would load it.
+// Checks each file by the reader that would load it.
 #include "bindings/cli/files/check_files.hpp"
 
 #include <algorithm>
@@ -31,9 +31,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_errors = 50;  // per system: each one costs a build
+constexpr int most_errors = 50;  // per system: each error needs a further build
 
-// Reads a script's text; messages use its path, so that an editor finds it.
+// Reads a script. Messages name the script by its path, so that an editor can open it.
 Expected<SourceText> read_shown(const fs::path& path, const Project& project) {
     const std::string name = project.shown(path);
     auto text = read_whole(path, name);
@@ -54,7 +54,7 @@ ScriptContext context_of(const std::string& component, const Project& project) {
     return context;
 }
 
-// True if an entry, or one of its values, is at this location.
+// True if an entry, or one of the entry's values, is at this location.
 bool stands_at(const Entry& entry, const Place& place) {
     if (place_of(entry) == place) return true;
     return std::visit(
@@ -69,11 +69,11 @@ bool stands_at(const Entry& entry, const Place& place) {
         entry);
 }
 
-// Removes from a system the entry of an error, and all that needs it, so that a further build finds further errors.
-// Returns false if nothing is at this location.
+// Removes from a system the entry of an error, and everything that needs the entry, so that a further build finds
+// further errors. Returns false if nothing is at this location.
 bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
     if (std::erase_if(spec.connections, [&](const ConnectionSpec& c) { return c.place == place; }) > 0) return true;
-    const auto peers = spec.peers;  // each may remove its own
+    const auto peers = spec.peers;  // a copy: `remove_at` may change `spec.peers`
     for (const auto& [name, peer] : peers) {
         if (peer->word().remove_at(spec, place)) return true;
     }
@@ -93,7 +93,7 @@ bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
     return !gone.empty();
 }
 
-// Without simulation robots have no bodies; a checked system never runs.
+// For a build without simulation: gives robots no bodies. None is needed, because a checked system never runs.
 void leave_out_bodies(SystemSpec& spec, Makers& makers) {
     const std::string none = "none";
     makers.bodies[none] = [](const RobotEntry& /*entry*/, const RobotSpec& /*spec*/) { return nullptr; };
@@ -147,7 +147,7 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     return errors;
 }
 
-// Checks a text that is compiled but not run, and may use these words.
+// Checks a text by compiling it, without running it. The text may use the globals `words`.
 std::vector<Error> check_words(const std::string& text, const std::string& shown,
                                const std::vector<std::string_view>& words) {
     KnownGlobals known = sandbox_globals();
@@ -170,7 +170,7 @@ std::vector<Error> check_calibration(const std::string& text, const std::string&
     return calibration ? std::vector<Error>() : std::vector<Error>{std::move(calibration.error())};
 }
 
-// Describes the environment, and finds its system, without running either.
+// Reads the description of the environment, and finds its system, without running either.
 std::vector<Error> check_environment(const SourceText& source, const Project& project) {
     std::vector<Error> errors;
     const auto file = EnvironmentFile::read(source, project, 0, {}, &errors);
@@ -179,7 +179,7 @@ std::vector<Error> check_environment(const SourceText& source, const Project& pr
     return system ? errors : std::vector<Error>{system.error()};
 }
 
-// What it defines, with all that its fields name.
+// Checks the message types that a file defines, and the types of their fields.
 std::vector<Error> check_message(const SourceText& source, const Project& project) {
     const auto types = MessageFiles(project, read_message_file).types_in(source);
     return types ? std::vector<Error>() : std::vector<Error>{types.error()};

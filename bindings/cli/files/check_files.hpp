@@ -17,13 +17,13 @@ namespace nezumi::cli {
 /// can't be read.
 std::vector<Error> check_file(const std::filesystem::path& file, const LiveOptions& options);
 
-/// Returns all errors of a text that is not in a file yet. `file` is its future path, used in errors, for searching
-/// names, and, if its words are not enough, for its kind.
+/// Returns all errors of a text that is not in a file yet. `file` is its future path: used in errors, to find other
+/// files, and to decide the kind if the text does not show it.
 std::vector<Error> check_text(const std::string& text, const std::filesystem::path& file, const LiveOptions& options);
 
-/// Finds the Lua files given by a person: files as they are or by `find_lua_files`, and for folders all files within
-/// them, sorted, without hidden ones; each file once. Errors: a path that does not exist or is not Lua, a folder
-/// without Lua files or that can't be read.
+/// Finds the Lua files that the user named: by the path of a file, by a name (`find_lua_files`), or by a folder, which
+/// stands for all files in it, sorted, without hidden ones. Each file is returned once. Errors: a path that does not
+/// exist or is not Lua, a folder without Lua files or that can't be read.
 FoundFiles lua_files(const std::vector<std::string>& paths);
 
 }  // namespace nezumi::cli

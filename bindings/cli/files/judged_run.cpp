@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A replay can't be of real robots, and another program's recording has no journal. Another version may differ.
+// True if the run can be replayed: it has a journal (recordings of other programs have none), no real robots, and was
+// made by this version (another version may behave differently).
 bool can_be_repeated(const record::McapFile& recording, const std::string& name) {
     const auto journal = record::journal_of(recording, name);
     if (!journal) return false;
@@ -53,8 +54,8 @@ Expected<std::string> user_of(const SystemSpec& spec, const fs::path& behavior) 
                                users.empty() ? "has the file" : "have the file", behavior.filename().string()));
 }
 
-// The drive without messages, from what a recording of nezumi says of the run. Nothing if the ports of `--map` are
-// those of another component: the recording has only messages for it.
+// The drive without its messages, from the journal in a recording of nezumi. std::nullopt if `--map` names ports of a
+// component that is not in the recorded system: then only messages are taken from the recording.
 Expected<std::optional<RecordedDrive>> drive_without_messages(Replay& record, std::string component,
                                                               const JudgeRequest& request, const fs::path& behavior) {
     const auto spec = record.spec(simulated_systems());
@@ -145,7 +146,7 @@ Expected<JudgedRun> JudgedRun::read(const JudgeRequest& request) {
     auto bytes = read_whole(request.run, request.run, Replay::largest);
     if (!bytes) return Unexpected(bytes.error());
     if (!record::is_mcap(*bytes)) {
-        if (!request.map.empty()) return failure("--map: a journal has no topics: leave it out");
+        if (!request.map.empty()) return failure("a journal has no topics: leave out --map");
         return from_journal(*bytes, request, behavior);
     }
     const auto recording = record::read_mcap(*bytes, request.run);

@@ -14,7 +14,7 @@
 
 namespace nezumi::cli {
 
-/// What to judge, found once: each `judge` reads only the behaviour again.
+/// The recorded run is read once; each call of `judge` reads only the behaviour's file again.
 class JudgedRun {
 public:
     /// Reads the run, and finds the behaviour's file. Errors name the options of the command.
@@ -22,8 +22,8 @@ public:
 
     /// The behaviour's file.
     const std::filesystem::path& behavior() const { return behavior_; }
-    /// Gives the recorded messages to the behaviour as its file is now. `log` gets what it logs, `curves` all numbers,
-    /// unless it is null.
+    /// Runs the behaviour, as its file is now, with the recorded messages. `log` gets the log lines of the behaviour;
+    /// `curves`, if not null, gets all numbers.
     Expected<Judgement> judge(double tolerance, LogSink log, JudgedCurves* curves = nullptr) const;
     /// A judgement as text: whether it is equal, the first difference, the lines that were executed differently, and
     /// the fields that differ.
@@ -36,7 +36,7 @@ private:
                                            const std::filesystem::path& behavior);
     void add_lines(std::vector<std::string>& lines, const Judgement& judged) const;
 
-    std::unique_ptr<Replay> replay_;  // its files outlive the system
+    std::unique_ptr<Replay> replay_;  // declared first: its files must outlive the system
     std::unique_ptr<RunningSystem> then_;
     RecordedDrive drive_;
     std::filesystem::path behavior_;

@@ -1,4 +1,4 @@
-// Decides the kind of a Lua file from the functions that it calls.
+// Counts the globals of behaviours and those of system files that a Lua file uses.
 #include "bindings/cli/files/lua_kind.hpp"
 
 #include <algorithm>

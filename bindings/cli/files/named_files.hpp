@@ -9,11 +9,12 @@
 
 namespace nezumi::cli {
 
-/// Finds the system file "corridor": the path from the working directory, otherwise the result of `Project::find` in
-/// the project of the working directory. An unknown path or name is an error with the most similar one.
+/// Finds a system file. `given` is a path from the working directory, or a name such as "corridor", which is searched
+/// by `Project::find` in the project of the working directory. The error for an unknown path or name has the most
+/// similar one.
 Expected<std::filesystem::path> find_system_file(const std::string& given);
 
-/// Finds a behaviour in this way.
+/// Finds a behaviour's file in the same way.
 Expected<std::filesystem::path> find_behavior_file(const std::string& given);
 
 /// Finds a Lua file of any kind: a behaviour, a system, a robot, a module, otherwise all scenario files of this

@@ -12,7 +12,7 @@ bool is_picture_name(std::string_view name) {
 }
 
 Expected<void> check_can_write(const std::string& file) {
-    // Only opening a file is a reliable test on all file systems; a file made by it is removed again.
+    // Only opening a file is a reliable test on all file systems; a file that is created by this test is removed again.
     const bool was_there = access(file.c_str(), F_OK) == 0;
     const auto opened = open_to_write(file);
     if (!opened) return Unexpected(opened.error());

@@ -1,4 +1,4 @@
-// What the editor of the page needs of the other commands.
+// What the editor of the web page gets from the other commands.
 #pragma once
 
 #include "bindings/web/editor.hpp"
@@ -6,7 +6,7 @@
 
 namespace nezumi::cli {
 
-/// The kinds of a project's files, and the words that may be in them.
+/// How to find the kind of a file of the project, and the global names that each kind may use.
 web::EditorOptions editor_of(const Project& project);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// Topics of ROS become ports as `subscribe` of the word `ros` converts them.
+// Messages of ROS are converted as by `subscribe` in `ros { ... }` of a system file.
 #include "bindings/cli/files/recorded_drive.hpp"
 
 #include <fmt/format.h>
@@ -114,8 +114,8 @@ Expected<void> read_drive(RecordedDrive& drive, const McapFile& recording, const
         if (auto done = read(*port, drive.published); !done) return done;
     }
     if (drive.published.empty()) {
-        return failure(fmt::format("no output of {0} is recorded, so nothing can be compared: say which topic has "
-                                   "an output by --map TOPIC={0}.PORT; the topics are {1}",
+        return failure(fmt::format("no output of {0} is recorded, so nothing can be compared: name the topic of an "
+                                   "output with --map TOPIC={0}.PORT; the topics are {1}",
                                    behavior.name(), topics_of(recording)),
                        {name});
     }

@@ -12,7 +12,7 @@
 
 namespace nezumi::cli {
 
-/// Topics by the names of ports: "rays" of "--map /scan=keeper.rays".
+/// Topics by names of ports: the key "rays" and the value "/scan" for "--map /scan=keeper.rays".
 using TopicsOfPorts = std::map<std::string, std::string, std::less<>>;
 
 /// Fills `drive` (whose entry and rate are set) with the messages of the ports of `behavior`, from the topics of
@@ -21,7 +21,8 @@ using TopicsOfPorts = std::map<std::string, std::string, std::less<>>;
 Expected<void> read_drive(RecordedDrive& drive, const record::McapFile& recording, const TopicReader& reader,
                           const std::string& name, const Component& behavior, const TopicsOfPorts& topics);
 
-/// Sets the parameters to those of the topic "/COMPONENT/config". An empty array is not in a recording.
+/// Sets the parameters to those of the topic "/COMPONENT/config". An empty array stays as it is, because a recording
+/// does not contain it.
 void read_parameters(RecordedDrive& drive, const record::McapFile& recording, const TopicReader& reader,
                      const Component& behavior);
 

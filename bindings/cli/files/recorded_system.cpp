@@ -1,4 +1,4 @@
-// A recording with a journal is a replay. Otherwise each component is a device that plays its messages.
+// A recording with a journal is replayed. Otherwise each component is a device that plays its recorded messages.
 #include "bindings/cli/files/recorded_system.hpp"
 
 #include <utility>
@@ -24,7 +24,8 @@ SystemSpec system_of(const RecordedPorts& ports, const std::string& file) {
     return spec;
 }
 
-// Whether this version repeats the run to its end. Another one may differ, and a recording has messages as well.
+// Fails if this version of nezumi can't repeat the run to its end, which is tried for a run of another version. Then
+// the messages of the recording are used instead.
 Expected<void> check_repeats(std::string_view journal, const std::filesystem::path& file, LiveOptions options) {
     const auto replay = Replay::of_text(journal, file, version());
     if (!replay) return Unexpected(replay.error());

@@ -16,14 +16,14 @@
 
 namespace nezumi::cli {
 
-/// The tick of a recording that no run of nezumi can repeat [Hz].
+/// [Hz] The tick rate for a recording that can't be repeated as a run of nezumi.
 inline constexpr double recorded_rate = 100;
 
 class RecordedSystem {
 public:
-    /// A run of nezumi in simulation is repeated from its journal: all its components are there. Of other recordings,
-    /// the topics are ports (`read_topics`). The system is not active yet. `file` is the name for errors; `names` are
-    /// ports of topics; if there are some, a recording of nezumi is read from its topics too.
+    /// Opens a journal or a recording. A simulated run of nezumi is repeated from its journal, with all its components.
+    /// In other recordings each topic becomes a port (`read_topics`); `names` gives ports to topics. If `names` is not
+    /// empty, a recording of nezumi is also opened from its topics. The system is not active yet.
     static Expected<std::unique_ptr<RecordedSystem>> open(const std::filesystem::path& file,
                                                           const std::map<std::string, std::string>& names,
                                                           LiveOptions options);
@@ -32,12 +32,12 @@ public:
     const RunningSystem& live() const { return *live_; }
     /// Gives the system away, to run it elsewhere. This object must outlive the system.
     std::unique_ptr<RunningSystem> take() { return std::move(live_); }
-    /// Performs what happened before the next tick. Returns false at the end of the recording. An error if the repeated
-    /// run differs from the recorded one.
+    /// Performs the acts that were recorded before the next tick, if it is a replay. Returns false at the end of the
+    /// recording. An error if the repeated run differs from the recorded one.
     Expected<bool> before_tick(RunningSystem& live);
-    /// The number of its ticks.
+    /// The number of ticks of the recording.
     std::int64_t ticks() const { return ticks_; }
-    /// The replay, if it is one.
+    /// The replay; nullptr if the messages are taken from topics.
     const Replay* replay() const { return replay_.get(); }
     /// Lines for the user, about topics that are left out.
     const std::vector<std::string>& notes() const { return notes_; }

@@ -1,4 +1,4 @@
-// A topic's type is that of a port of nezumi if there is one, else it is made of the definition in the recording.
+// The messages of a topic have a type of nezumi if one fits, else a type made from the definition in the recording.
 #include "bindings/cli/files/recorded_topics.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ using record::RecordedMessage;
 
 constexpr double rounding = 1e-6;  // ticks
 
-// The coding of a port's type that a topic has.
+// The conversion of a channel's messages to this type; std::nullopt if there is none.
 std::optional<MessageCoding> coding_in(const RecordedChannel& channel, const MessageType& type) {
     if (channel.encoding != "cdr") return std::nullopt;
     if (auto coding = ros::find_coding(type, channel.schema.name); coding && coding->read) return coding;
@@ -34,7 +34,7 @@ std::optional<MessageCoding> coding_in(const RecordedChannel& channel, const Mes
     return std::nullopt;
 }
 
-// The type of a port that can have these messages.
+// The type of a port for the messages of this channel.
 Expected<const MessageType*> type_of_channel(const RecordedChannel& channel) {
     if (channel.encoding != "cdr") return failure(fmt::format("its messages are {}, not cdr", shown(channel.encoding)));
     if (const auto its = channel.metadata.find("nezumi_type"); its != channel.metadata.end()) {
@@ -47,7 +47,7 @@ Expected<const MessageType*> type_of_channel(const RecordedChannel& channel) {
     return type_of_definition(channel.schema);
 }
 
-// A name that a component or a port may have.
+// Makes a name that a component or a port may have: other characters become underscores.
 std::string name_of_part(std::string_view part) {
     std::string name;
     for (const char c : part) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
@@ -104,7 +104,7 @@ TopicReader TopicReader::of_same_ticks(const McapFile& recording, const std::str
     for (const RecordedMessage& message : recording.messages) {
         if (is_of_port(message)) reader.ticks_.emplace(message.log_time, 0);
     }
-    // As `System::tick` counts, which leaves out ticks after a stall.
+    // Numbers the ticks as `System::tick` does, which skips ticks after a stall.
     std::int64_t next = 0;
     for (auto& [log_time, tick] : reader.ticks_) {
         const std::int64_t due = std::llround(record::to_seconds(log_time) * rate);
@@ -169,7 +169,7 @@ Expected<RecordedPorts> read_topics(const McapFile& recording, const std::string
     const TopicReader reader(recording, name, rate);
     RecordedPorts ports;
     for (const auto& [number, channel] : recording.channels) {
-        // Values by name are not messages of a port.
+        // Named values and the journal are not messages of ports.
         if (channel.schema.name == record::NamedValues::type_name || channel.topic == record::journal_topic) continue;
         auto at = port_of_topic(channel.topic);
         if (const auto named = names.find(channel.topic); named != names.end()) {

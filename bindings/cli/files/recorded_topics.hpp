@@ -24,17 +24,19 @@ std::string topics_of(const record::McapFile& recording);
 /// after its log time.
 class TopicReader {
 public:
-    /// `name` is that of the file, for errors; `rate` [Hz] that of the tick. The arguments must outlive the reader.
+    /// `name` is the file's name, for errors; `rate` is the tick rate [Hz]. The arguments must outlive the reader.
     TopicReader(const record::McapFile& recording, const std::string& name, double rate);
-    /// For a run of nezumi on hardware at this `rate`, whose ticks came when the clock let them: each tick in which
-    /// something was recorded is a tick again, up to the tick `end`, and times are counted from the start of the run.
+    /// For a run of nezumi on hardware at this `rate`, whose ticks have unequal distances: each tick in which something
+    /// was recorded becomes a tick at the recorded time, up to the tick `end`. Times are counted from the start of the
+    /// run.
     static TopicReader of_same_ticks(const record::McapFile& recording, const std::string& name, double rate,
                                      std::optional<std::int64_t> end);
 
     std::int64_t tick_of(std::uint64_t log_time) const;
     /// The number of ticks up to the last message.
     std::int64_t ticks() const;
-    /// [s] of the ticks in which something was recorded, since the start of the run; empty unless `of_same_ticks`.
+    /// The times [s] of the ticks in which something was recorded, since the start of the run. Empty unless the reader
+    /// was made by `of_same_ticks`.
     std::vector<double> times() const;
     /// Adds the messages of a topic to `kept`, whose type is set. Returns whether the topic exists. `what` is the port
     /// for errors: "input 'rays'". An error if the topic has another type.
@@ -52,9 +54,9 @@ private:
 using RecordedPorts = std::map<std::string, std::map<std::string, DrivePort, std::less<>>, std::less<>>;
 
 /// Reads all topics whose messages are CDR with a definition: "/mouse/front/scan" is the port `front_scan` of `mouse`,
-/// and "/scan" the port `scan` of `topics`. A topic in `names` is the port that it gives there: {"/scan",
-/// "robot.scan"}. `skipped` gets a line for each topic that can't be read. An error if `names` has an unknown topic or
-/// no port's name, or if nothing can be read.
+/// and "/scan" the port `scan` of `topics`. `names` gives topics other ports: {"/scan", "robot.scan"}. `skipped` gets a
+/// line for each topic that can't be read. An error if `names` has an unknown topic or an invalid port, or if nothing
+/// can be read.
 Expected<RecordedPorts> read_topics(const record::McapFile& recording, const std::string& name, double rate,
                                     const std::map<std::string, std::string>& names, std::vector<std::string>& skipped);
 

@@ -1,4 +1,4 @@
-// Makes message types from the definitions in a recording. Each message is defined after those within it.
+// Makes message types from the definitions in a recording. A message is defined after the messages that it contains.
 #include "bindings/cli/files/ros_definition.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace nezumi::cli {
 namespace {
 
-// "geometry_msgs/msg/Point" is "geometry_msgs/Point".
+// "geometry_msgs/msg/Point" becomes "geometry_msgs/Point".
 std::string short_ros_name(std::string_view name) {
     const std::size_t first = name.find('/'), last = name.rfind('/');
     if (first == last) return std::string(name);

@@ -1,4 +1,4 @@
-// Message types made of the definitions in a recording.
+// Message types made from the definitions in a recording.
 #pragma once
 
 #include "bindings/record/mcap.hpp"
@@ -8,7 +8,8 @@
 namespace nezumi::cli {
 
 /// The type that a schema defines: the text of a .msg file, then for each message in it a line of 80 times '=', a line
-/// "MSG: geometry_msgs/Point", and its text. Its name is "my_msgs/Obstacle". The error has no location.
+/// "MSG: geometry_msgs/Point", and its text. The type's name has the form "my_msgs/Obstacle". The error has no
+/// location.
 Expected<const MessageType*> type_of_definition(const record::Schema& schema);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// A field has two curves with one scale, side by side in the legend.
+// Each field has two curves, one for each run, with the same scale and next to each other in the legend.
 #include "bindings/cli/files/run_plot.hpp"
 
 #include <fmt/format.h>

@@ -10,7 +10,7 @@
 
 namespace nezumi::cli {
 
-/// The curves of a run, and its name in the legend: "then".
+/// The curves of a run, and the run's name in the legend, such as "then".
 struct NamedRun {
     std::string name;
     const FieldCurves& curves;
@@ -27,7 +27,7 @@ struct RunPlot {
 /// Draws the runs to a file that ends in .png or .svg; prints a line instead if no field has numbers.
 Expected<void> draw_runs(const RunPlot& runs, const std::string& file);
 
-/// Fails if the value of --plot is not the name of a picture that can be written; "" is none.
+/// Fails if the value of --plot is not the name of a picture that can be written; "" (no plot) is valid.
 Expected<void> check_plot(const std::string& file);
 
 }  // namespace nezumi::cli

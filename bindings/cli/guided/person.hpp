@@ -11,8 +11,8 @@ namespace nezumi::cli {
 
 class Person {
 public:
-    /// `end`: a signal ends waiting. With `is_sure` nothing must be confirmed, and numbers are read from any standard
-    /// input.
+    /// `end` becomes nonzero when a signal ends the waiting. With `is_sure`, no confirmation is needed, and numbers are
+    /// read from standard input even if it is no terminal.
     Person(const volatile std::sig_atomic_t& end, bool is_sure) : end_(end), is_sure_(is_sure) {}
 
     /// Fails if no person can be asked.

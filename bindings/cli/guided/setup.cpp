@@ -1,4 +1,4 @@
-// Reaches a robot in the same ways as a run.
+// Builds systems with the drivers that a run uses.
 #include "bindings/cli/guided/setup.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ Makers makers(const Hardware& hardware) {
     return all;
 }
 
-// The only one of these names, or the wanted one. In the error, `--KIND` is the option to choose one.
+// Returns the wanted name, or the only name if none is wanted. In the error, `--KIND` is the option to choose a name.
 Expected<std::string> the_one(const std::vector<std::string_view>& names, const std::string& wanted,
                               std::string_view kind, const std::string& file) {
     for (const std::string_view name : names) {

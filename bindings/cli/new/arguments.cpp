@@ -22,7 +22,7 @@ namespace {
 bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-// Inserts an underscore before each capital word: "EV3Follower" becomes ev3_follower.
+// Inserts an underscore before each capitalized word: "EV3Follower" becomes ev3_follower.
 std::string to_snake(std::string_view name) {
     std::string snake;
     for (std::size_t i = 0; i < name.size(); ++i) {
@@ -49,7 +49,7 @@ bool is_string(std::string_view text) {
     return token.text.size() == text.size() && !token.open && !token.malformed;
 }
 
-// { 1.0, 0.5 }
+// Checks an array such as "{1.0,0.5}", and returns it as "{ 1.0, 0.5 }".
 Expected<std::string> array_text(std::string_view given) {
     if (!given.ends_with('}')) return failure(fmt::format("'{}' has no }} at its end", shown(given)));
     std::string_view rest = trimmed(given.substr(1, given.size() - 2));
@@ -93,7 +93,7 @@ Expected<std::string> new_file_name(std::string_view what_it_is, const std::stri
     std::string name = to_snake(given);
     if (is_identifier(name) && !name.ends_with("_test")) return name;
     const std::string what = fmt::format("'{}' can't be a {}'s name", shown(given), what_it_is);
-    if (name.ends_with("_test")) return failure(what + ": files called *_test.lua are scenarios");
+    if (name.ends_with("_test")) return failure(what + ": files named *_test.lua are scenarios");
     if (is_keyword(name)) return failure(what + ": it is a keyword of Lua");
     std::string near = given.ends_with(".lua") ? given.substr(0, given.size() - 4) : given;
     near.erase(0, near.rfind('/') + 1);
@@ -120,7 +120,7 @@ namespace {
 // The options that may follow a default, in the order of writing.
 constexpr std::string_view parameter_options[] = {"min", "max", "step", "choices", "widget", "unit", "doc"};
 
-// Returns "min" if ",min=" begins at `comma`, for any word; "" if no word and = follow.
+// Returns the word between the comma and an equals sign: "min" for ",min="; "" if these do not follow.
 std::string_view option_after(std::string_view text, std::size_t comma) {
     std::size_t begin = comma + 1;
     while (begin < text.size() && text[begin] == ' ') ++begin;
@@ -167,7 +167,7 @@ Expected<NewParameter> read_new_parameter(const std::string& given) {
                 next = word;
                 break;
             }
-            // In a default it may be part of a text; a misspelling is reported.
+            // An unknown word may be part of the value, but a misspelled option is an error.
             if (const std::string near = did_you_mean(word, known); !near.empty())
                 return wrong(fmt::format("there is no '{}'{}", word, near));
         }

@@ -17,7 +17,8 @@ Expected<std::string> default_text(const std::string& given);
 /// "behaviour", "system" or "robot".
 Expected<std::string> new_file_name(std::string_view what, const std::string& given);
 
-/// Checks a new name against `taken` and adds it. Fails for a used name (true) or an invalid one.
+/// Checks a new name and adds it to `taken`. Fails if it is already in `taken` or is not valid; keywords of Lua are
+/// valid.
 Expected<void> take_new_name(std::string_view option, const std::string& name, std::vector<std::string>& taken);
 
 struct NewParameter {

@@ -1,4 +1,4 @@
-// Reads the command line's words, and checks that the result loads.
+// Reads the arguments of the command line, and checks that the result loads.
 #include "bindings/cli/new/behavior.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 namespace nezumi::cli {
 namespace {
 
-// Adds the ports of an option to `ports`. `find` finds their types, as the file of this name in `behaviors` would.
+// Adds the ports of an option to `ports`. `find` finds the types as seen from the file behaviors/BEHAVIOR.lua.
 Expected<void> read_ports(std::string_view option, const std::vector<std::string>& given,
                           std::vector<std::string>& taken, std::vector<NewPort>& ports, const MessageFinder& find,
                           const std::string& behavior) {
@@ -90,7 +90,7 @@ Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted) {
     }
     if (auto ok = read_callbacks(wanted.callbacks, parts.callbacks); !ok) return Unexpected(ok.error());
     BehaviorTexts texts{parts.name, behavior_text(parts), behavior_scenario_text(parts)};
-    // The remaining errors are words with another meaning; the script's own check finds them.
+    // The check of scripts finds the remaining errors, such as a name that has another meaning in scripts.
     const std::string file = parts.name + ".lua";
     const auto errors = check_behavior({file, file, texts.behavior}, {.component = parts.name, .find_message = find});
     if (!errors.empty()) return failure(errors.front().message);

@@ -24,7 +24,7 @@ struct NewBehavior {
     std::vector<std::string> callbacks{};  ///< besides on_execute: "on_activated", ...
     std::string doc{};                     ///< a sentence: what it does; "": a placeholder
     ScriptAbout about{};
-    BehaviorParts base{};  ///< what all of the above is added to; a name above takes the place of its own
+    BehaviorParts base{};  ///< the parts to which all of the above is added; `name`, if given, replaces their name
 };
 
 struct BehaviorTexts {
@@ -39,8 +39,8 @@ MessageFinder new_messages();
 /// Returns the texts, which can be loaded. An error is about the command line, with the most similar name.
 Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted);
 
-/// Writes the behaviour's file and a scenario for it below `root`, a project, as `nezumi new behavior` does. Returns
-/// their names. Never overwrites a file.
+/// Writes the behaviour's file and a scenario for it into the project in `root`, as `nezumi new behavior` does. Returns
+/// the names of both files. Never overwrites a file.
 Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::path& root,
                                                       const BehaviorRequest& request);
 

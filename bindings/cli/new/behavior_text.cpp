@@ -42,7 +42,7 @@ std::string sample(const Type& type) {
     return text.size() > 80 ? "{}" : "{ " + text + " }";  // omitted fields are zero
 }
 
-// `world.ports["in"]` if `world.in` is not valid Lua.
+// The access to a port: `.out`, or `.ports["in"]` if the name is a keyword of Lua.
 std::string member(const std::string& name) {
     return is_keyword(name) ? fmt::format(".ports[\"{}\"]", name) : "." + name;
 }
@@ -64,7 +64,7 @@ std::string about_text(const ScriptAbout& about) {
     return text.empty() ? "" : "about { " + text + " }\n\n";
 }
 
-// A comment for its empty body: when it is called.
+// The comment in the empty body of a callback: when the callback is called.
 std::string_view occasion_of(std::string_view callback) {
     constexpr std::pair<Hook, std::string_view> occasions[] = {
         {Hook::on_activated, "Before its first execution."},

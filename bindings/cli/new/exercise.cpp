@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view exercise_text = R"md(# {0}
 
-The mouse stands. Change `behaviors/driver.lua` so that it drives forward.
+The mouse does not move. Change `behaviors/driver.lua` so that it drives forward.
 
 1. Open **Editor** and the file `driver.lua`.
 2. Write a velocity: `wheels:write {{ vx = 0.1 }}`.

@@ -1,4 +1,4 @@
-// Checks first, then writes, and removes its files again after an error.
+// Checks first, then writes. After an error, the files that were already written are removed.
 #include "bindings/cli/new/files.hpp"
 
 #include <cerrno>

@@ -96,7 +96,7 @@ private:
         const bool is_in = port.direction == Direction::in;
         const std::string file = "behaviors/" + parts_.name + ".lua";
         auto found = messages_(port.type, file, nullptr);
-        // Other packages may have one of this name.
+        // If other packages have a type of this name too, the type of OpenRTM (package RTC) is meant.
         if (!found && port.type.find('/') == std::string::npos) {
             if (auto of_rtc = messages_("RTC/" + port.type, file, nullptr)) found = of_rtc;
         }
@@ -111,9 +111,10 @@ private:
         }
         NewPort written{.name = new_name(port.name, true, taken_ports_), .type = found->type, .doc = port.doc};
         if (written.name != port.name) {
-            remarks_.push_back(fmt::format(
-                "port '{0}' is called '{1}' here, for other RTCs by rtm {{ rename = {{ [\"{2}.{1}\"] = {3} }} }}",
-                shown(port.name), written.name, parts_.name, lua_quoted(shown(port.name))));
+            remarks_.push_back(
+                fmt::format("port '{0}' is named '{1}' here; to keep its name for other RTCs, write rtm {{ rename = {{ "
+                            "[\"{2}.{1}\"] = {3} }} }}",
+                            shown(port.name), written.name, parts_.name, lua_quoted(shown(port.name))));
         }
         if (is_in && port.queue > 0)
             written.options = fmt::format("queue = {}", std::min<std::size_t>(port.queue, 100'000));
@@ -152,7 +153,7 @@ private:
                                    .initial = lua_text(spec.initial),
                                    .options = options_of(spec)};
         if (written.name != spec.name)
-            remarks_.push_back(fmt::format("parameter '{}' is called '{}' here", shown(spec.name), written.name));
+            remarks_.push_back(fmt::format("parameter '{}' is named '{}' here", shown(spec.name), written.name));
         parts_.parameters.push_back(written);
     }
 
@@ -221,7 +222,7 @@ ComponentProfile profile_of(Script& script) {
                                  .queue = port.queue,
                                  .safe = port.safe.empty() ? "" : value_to_json(port.safe.front()).dump()});
     }
-    // As `behavior_text` writes them.
+    // In-ports first, as `behavior_text` writes them.
     std::stable_partition(profile.ports.begin(), profile.ports.end(),
                           [](const ProfilePort& port) { return port.direction == Direction::in; });
     for (const auto& parameter : script.parameters().all()) profile.parameters.push_back(parameter.spec);

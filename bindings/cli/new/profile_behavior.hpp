@@ -11,12 +11,12 @@
 
 namespace nezumi::cli {
 
-/// The parts of a behaviour. `messages` finds its ports' types. What has no counterpart in it is a comment, and a line
-/// of `remarks`: a type that is unknown, a name that is taken, and the profile's own remarks.
+/// The parts of a behaviour from a profile. `messages` finds the types of its ports. Things that a behaviour can't have
+/// become comments and lines of `remarks`: an unknown type, a name that is taken, and the profile's own remarks.
 BehaviorParts parts_of(const openrtm::ComponentProfile& profile, const MessageFinder& messages,
                        std::vector<std::string>& remarks);
 
-/// The profile of a behaviour that is loaded. What a profile can't have is a line of its remarks.
+/// The profile of a loaded behaviour. Things that a profile can't have become lines of its remarks.
 openrtm::ComponentProfile profile_of(Script& script);
 
 }  // namespace nezumi::cli

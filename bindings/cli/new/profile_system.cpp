@@ -1,5 +1,5 @@
-// Makes system files from RTSystemEditor's profiles. Each behaviour is asked for its parameters and ports, so that the
-// file loads.
+// Makes system files from RTSystemEditor's profiles. Each behaviour is loaded to learn its parameters and ports, so
+// that the system file is valid.
 #include "bindings/cli/new/profile_system.hpp"
 
 #include <fmt/format.h>
@@ -55,7 +55,7 @@ public:
 
 private:
     struct Known {
-        std::string name;  // here
+        std::string name;  // in the system file
         std::unique_ptr<Script> script;
     };
 
@@ -127,7 +127,8 @@ private:
         return all;
     }
 
-    // "controller.out" or "rtm:ConsoleIn0.out"; "" if a behaviour here has no such port in this direction.
+    // "controller.out" or "rtm:ConsoleIn0.out"; "" if a behaviour in the system file has no such port in this
+    // direction.
     std::string end_text(const ProfiledEnd& end, Direction direction) {
         const auto known = known_.find(end.instance);
         if (known == known_.end()) {

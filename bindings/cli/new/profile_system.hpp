@@ -11,12 +11,12 @@
 
 namespace nezumi::cli {
 
-/// Loads the behaviour of this name; null if there is none.
+/// Loads the behaviour of this name; null if none can be loaded.
 using BehaviorFinder = std::function<std::unique_ptr<Script>(const std::string& script)>;
 
-/// A system file in which components whose types are behaviours are these behaviours, with their configuration; all
-/// others stay RTCs, to which they are connected. Things that a system file can't express become comments and lines of
-/// `remarks`.
+/// The text of a system file. A component whose type is a behaviour becomes this behaviour, with its configuration. All
+/// other components stay RTCs, and the behaviours are connected to them. Things that a system file can't express become
+/// comments and lines of `remarks`.
 std::string system_text_of(const openrtm::SystemProfile& profile, const BehaviorFinder& find,
                            std::vector<std::string>& remarks);
 

@@ -96,7 +96,7 @@ constexpr std::string_view tasks = R"json({
 }
 )json";
 
-// For the language server: our words and callbacks, without libraries missing in the sandbox.
+// Settings of the Lua language server: the callbacks of behaviours, without the libraries that the sandbox lacks.
 std::string luarc() {
     std::string callbacks;
     for (const std::string_view name : hook_names())
@@ -140,7 +140,7 @@ std::vector<NewFile> project_files(const std::string& name) {
         {"behaviors/systems/room.lua", std::string(system)},
         {"tests/explorer_test.lua", std::string(scenario)},
         {"README.md", readme(name)},
-        {".gitignore", "# What a failed scenario leaves to look at.\n/nezumi-test/\n"},
+        {".gitignore", "# Traces and pictures of failed scenarios.\n/nezumi-test/\n"},
         {".luarc.json", luarc()},
         {".nezumi/library/nezumi.lua", annotations(scenario_records(), peer_words())},
         {".nezumi/plugin.lua", annotations_plugin},

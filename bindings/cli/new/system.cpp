@@ -14,7 +14,7 @@ namespace {
 
 using Pair = std::pair<std::string, std::string>;
 
-// "mouse=raspimouse"
+// Splits "mouse=raspimouse" into a name and a value.
 Expected<std::vector<Pair>> read_pairs(std::string_view option, const std::vector<std::string>& given,
                                        std::string_view form, std::string_view example) {
     std::vector<Pair> pairs;
@@ -71,7 +71,7 @@ Expected<std::string> system_text(const NewSystem& wanted) {
 std::string robot_text(const std::string& name) {
     return fmt::format(R"lua(--- {0}: say in a sentence what it is.
 
---- A distance sensor: its place from the chassis' centre [m] and which way it looks [degrees, left positive].
+--- A distance sensor: its position from the chassis' centre [m] and its direction [degrees, left positive].
 local function eye(x, y, degrees)
   return {{ kind = "range", at = {{ x, y }}, yaw = math.rad(degrees), range = 0.8, noise = 0.005 }}
 end
@@ -95,7 +95,7 @@ return robot_model {{
 
   ports = {{
     velocity  = {{ type = "TimedVelocity2D", to = "drive", doc = "target velocity" }},
-    pose      = {{ type = "TimedPose2D", from = "odometry", doc = "where it thinks it is" }},
+    pose      = {{ type = "TimedPose2D", from = "odometry", doc = "pose by odometry" }},
     distances = {{ type = "TimedDoubleSeq", from = {{ "left", "front", "right" }}, doc = "in metres" }},
     touched   = {{ type = "TimedBooleanSeq", from = {{ "bumper" }}, doc = "whether the bumper is pressed" }},
   }},

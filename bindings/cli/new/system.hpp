@@ -17,7 +17,8 @@ struct NewSystem {
     std::vector<std::string> connections;  ///< "name.port=name.port"
 };
 
-/// Returns a system file. An error is only about the form of a name; whether it exists is checked on loading.
+/// Returns a system file. An error is only about the form of a name. Whether named files exist is checked when the
+/// system is loaded.
 Expected<std::string> system_text(const NewSystem& wanted);
 
 /// Returns a robot file as a template: two wheels, three distance sensors and a touch sensor.

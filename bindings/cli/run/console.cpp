@@ -1,4 +1,5 @@
-// The prompt of the run is a client like attached ones, on its own thread, so reading a terminal delays no tick.
+// The prompt of the run is a client like an attached console. It has its own thread, so reading a terminal delays no
+// tick.
 #include "bindings/cli/run/console.hpp"
 
 #include <fmt/chrono.h>

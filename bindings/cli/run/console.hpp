@@ -1,4 +1,4 @@
-// The consoles of `nezumi run`: the prompt on its own terminal, commands from a file, and attached ones.
+// The consoles of `nezumi run`: the prompt on its terminal, commands from standard input, and attached consoles.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@ bool has_terminal();
 
 class RunConsole final : public Attendant {
 public:
-    /// The loop must outlive it. `name` is the name for attaching.
+    /// The loop must outlive this object. `name` is the name for attaching.
     RunConsole(RunLoop& loop, const std::string& name);
     ~RunConsole() override;
     RunConsole(const RunConsole&) = delete;
@@ -26,7 +26,7 @@ public:
 
     /// Allows others to attach.
     Expected<void> listen() { return server_->listen(name_); }
-    /// Opens the prompt with a first line `news`, or none. The run ends when the user leaves it.
+    /// Opens the prompt; `news` is shown first, unless it is empty. The run ends when the user leaves the prompt.
     Expected<void> open_prompt(const std::string& news);
     /// Reads commands from standard input: time advances only by commands. The run ends after the last one.
     Expected<void> open_batch();
@@ -37,13 +37,14 @@ public:
     /// not be shown elsewhere.
     bool log(const LogLine& line);
     bool say(const std::string& text);
-    /// No command has failed.
+    /// True if no command has failed.
     bool all_well() const { return all_well_; }
-    /// The line of --batch that was interrupted, or never run, at the end of the run; 0: none. Valid after `close`.
+    /// The number of the line of --batch that was interrupted, or not run, at the end of the run; 0: none. Valid after
+    /// `close`.
     int unfinished_line() const { return unfinished_; }
-    /// A command of --batch is running.
+    /// True while a command of --batch is running.
     bool is_batch_running() const { return server_ && server_->is_batch_running(); }
-    /// Standard output or error is slower than --batch.
+    /// True if standard output or error is slower than --batch.
     bool is_behind() const { return server_ && server_->is_behind(); }
 
     ConsoleServer& server() { return *server_; }
@@ -63,7 +64,7 @@ private:
     std::string name_;
     std::unique_ptr<ConsoleServer> server_;
     std::thread client_;              // of the run's own client
-    std::atomic<bool> left_ = false;  // by that client
+    std::atomic<bool> left_ = false;  // the run's own client has ended
     std::atomic<bool> all_well_ = true;
     std::atomic<int> unfinished_ = 0;
     std::function<void(const std::string&, bool)> show_;

@@ -1,4 +1,4 @@
-// The start and end of ticks set the time scale of the log.
+// The times of a device log are counted from the first tick.
 #include "bindings/cli/run/devices.hpp"
 
 #include <fmt/format.h>

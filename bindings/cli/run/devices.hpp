@@ -1,4 +1,4 @@
-// The devices of `nezumi run --hw`: the machine's, optionally with a log, or a replayed log.
+// The devices of `nezumi run --hw`: those of the machine, optionally with a log, or a log that replaces them.
 #pragma once
 
 #include <memory>
@@ -24,12 +24,12 @@ public:
 
     const hw::DeviceRoots& roots() const { return roots_; }
 
-    /// The ticks start. `say` gets messages for people, also later. The loop ends at the end of a replayed log. Both
-    /// must outlive this object.
+    /// Called before the first tick. `say` gets messages for the user from now on. The loop ends at the end of a
+    /// replayed log. `loop` and everything that `say` uses must outlive this object.
     void follow(RunLoop& loop, Say say);
-    /// The run is over; the robots will be stopped.
+    /// Called when the loop has ended, before the robots are stopped.
     void end();
-    /// The robots stand: reports the result of a replay. Returns true if it agreed with the log, or without a replay.
+    /// Called when the robots stand. Reports the result of a replay. Returns false if the replay differed from the log.
     bool finish();
     /// Completes the log, after all drivers have ended. Reports a failure.
     void close(const Say& say);

@@ -37,22 +37,26 @@ Expected<void> check_names(const SystemSpec& spec, const std::vector<std::string
     return {};
 }
 
-// True if the file allows it to be real; an error if it was requested by name but is not allowed.
+// True if this robot or device becomes real. An error if it was requested by name, but the file does not allow it to be
+// real.
 template <class AnEntry>
 Expected<bool> is_free(std::string_view kind, const AnEntry& entry, const std::vector<std::string>& names) {
     const bool is_named = contains(names, entry.name);
     if (!names.empty() && !is_named) return false;
     if (entry.backend != simulated) return true;
     if (!is_named) return false;
-    return failure(fmt::format("{} '{}': --hw={} selects the real one, but backend = \"sim\" keeps it simulated", kind,
-                               entry.name, entry.name),
-                   entry.place);
+    return failure(
+        fmt::format(
+            "{} '{}': --hw={} selects the real one, but backend = \"sim\" keeps it simulated: remove one of the two",
+            kind, entry.name, entry.name),
+        entry.place);
 }
 
 // Returns true if the robot became real.
 Expected<bool> choose(RobotEntry& robot, const SystemSpec& spec, const std::vector<std::string>& names) {
     auto free = is_free("robot", robot, names);
-    if (free && !*free && robot.backend != simulated) robot.backend.clear();  // its driver was not requested
+    if (free && !*free && robot.backend != simulated)
+        robot.backend.clear();  // this robot was not requested: it stays simulated
     if (!free || !*free || !robot.backend.empty()) return free;
     const auto model = spec.models.find(robot.described_by());
     robot.backend = model == spec.models.end() ? "" : model->second.hardware.backend();
@@ -73,7 +77,7 @@ Expected<bool> choose(ComponentEntry& component, const SystemSpec& spec, const s
                       const Drivers& drivers) {
     const auto type = drivers.find(component.type);
     if (type == drivers.end() || is_on_simulated(component, spec)) return false;
-    // It is requested together with its robot.
+    // A component is requested together with its robot.
     auto free = is_free("component", component, contains(names, component.on) ? std::vector<std::string>{} : names);
     if (free && *free && component.backend.empty()) component.backend = type->second.begin()->first;
     return free;
@@ -96,7 +100,7 @@ Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& 
         if (!real) return Unexpected(real.error());
         any = any || *real;
     }
-    if (!any) return failure(fmt::format("--hw: {} has no robot that could be real", spec.file));
+    if (!any) return failure(fmt::format("--hw: {} has no robot or device that can be real", spec.file));
     if (spec.rate < slowest_hardware_rate)
         return failure(fmt::format("--hw: {} ticks per second are too few to drive a real robot: expected {} or more",
                                    spec.rate, slowest_hardware_rate),

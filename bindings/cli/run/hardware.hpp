@@ -19,14 +19,14 @@ struct Hardware {
     std::vector<std::string> robots;  ///< real robots and devices; empty: all that the file allows
     std::string dev_root = "/dev";
     std::string sys_root = "/sys";
-    bool twins = false;      ///< each real robot has its twin
-    std::string device_log;  ///< to be written; "": none
-    std::string played_log;  ///< replaces the robots; "": none
+    bool twins = false;      ///< each real robot has a simulated twin
+    std::string device_log;  ///< the device log to write; "": none
+    std::string played_log;  ///< the device log that replaces the robots; "": none
 };
 
-/// Gives the real robots of a system the drivers of their models, and its real devices the default driver of their
-/// type: those with these names, or all. Components on a robot are real if the robot is. Fails, with the line, for an
-/// unknown name, a model without driver, if nothing is real, or if the tick is too slow.
+/// Makes robots and devices of a system real: those in `names`, or all if `names` is empty. A robot gets the driver of
+/// its model, a device the default driver of its type. A component on a robot is real if the robot is. Fails, with the
+/// line, for an unknown name, a model without driver, if nothing is real, or if the tick rate is too low.
 Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& names,
                               const decltype(Makers::components)& drivers);
 

@@ -1,4 +1,4 @@
-// A journal is written as the loop goes; a replay goes before every tick.
+// A journal is written while the loop runs; a replay performs its acts before each tick.
 #include "bindings/cli/run/journal.hpp"
 
 #include <fmt/format.h>
@@ -31,11 +31,11 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
         if (!replay) return Unexpected(replay.error());
         replay_ = std::move(*replay);
         if (!replay_->other_version().empty()) {
-            notes_.push_back(
-                fmt::format("{}: the run of nezumi {} is repeated by nezumi {}, as long as both do the same", file_,
-                            replay_->other_version(), version()));
+            notes_.push_back(fmt::format(
+                "{}: the run of nezumi {} is repeated by nezumi {}, until a difference between both versions stops it",
+                file_, replay_->other_version(), version()));
         }
-        // The new recording repeats the same run.
+        // A recording of the replay gets the same journal.
         if (recording) recording(text->size(), [text = std::move(*text)] { return text; });
         if (!options.file.empty()) {
             if (auto ok = replay_->check_system(options.file); !ok) return Unexpected(ok.error());
@@ -72,7 +72,7 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
     return loaded;
 }
 
-// The folder of a failed scenario has the journal of its run.
+// If `file_` is the folder of a failed scenario, finds the journal or the recording of the failed run.
 Expected<void> RunJournal::find_failure() {
     namespace fs = std::filesystem;
     std::error_code none;
@@ -83,7 +83,8 @@ Expected<void> RunJournal::find_failure() {
         if (auto found = find_failed_recording(folder / failed_recording); !found) return found;
     } else if (!fs::is_regular_file(file_, none)) {
         if (fs::exists(folder / "failure.txt", none))
-            return failure("failed without a run that can be repeated: failure.txt there says why", {folder.string()});
+            return failure("this scenario failed without a run that can be repeated: read failure.txt in this folder",
+                           {folder.string()});
         return failure(fmt::format("has no {}: open the folder of a scenario that failed, which the report of nezumi "
                                    "test names",
                                    failure_journal),
@@ -114,7 +115,7 @@ Expected<void> RunJournal::find_failed_recording(const std::filesystem::path& no
     return {};
 }
 
-// A recording that can't be repeated: its messages are played. Null for other files.
+// Opens a recording that can't be repeated as a run: its messages are played. Null for other files.
 Expected<std::unique_ptr<RunningSystem>> RunJournal::open_recorded(const LiveOptions& live) {
     const auto bytes = read_whole(file_, file_, Replay::largest);
     if (!bytes) return Unexpected(bytes.error());
@@ -176,7 +177,7 @@ Expected<void> RunJournal::finish(bool of_given_length, std::uint64_t hash) {
         journal_->end(of_given_length ? RunEnd::duration : RunEnd::stopped, "", stopped_, hash);
         if (journal_->error()) return Unexpected(*journal_->error());
     }
-    // A person may end it before.
+    // If the user has ended the replay early, there is nothing to compare.
     if (!replay_ || !replay_->is_over() || !replay_->hash() || *replay_->hash() == hash) return {};
     return failure(fmt::format("{}: this run differs from the journal's run: its hash was {}, not {}{}", file_,
                                hash_text(*replay_->hash()), hash_text(hash), replay_->written_by()));

@@ -19,7 +19,8 @@ namespace nezumi::cli {
 
 /// The journal in the folder of a failed scenario.
 inline constexpr std::string_view failure_journal = "run.journal";
-/// In the folder of a scenario that failed over a recording: its path, and where it failed, as "START TICK".
+/// A file in the folder of a failed scenario that tested a recording: the path of the recording, and the start and tick
+/// of the failure as "START TICK".
 inline constexpr std::string_view failed_recording = "recording.txt";
 
 class RunJournal final : public Attendant {
@@ -36,10 +37,10 @@ public:
     /// Follows the loop, which must outlive this object.
     void follow(RunLoop& loop);
 
-    /// The loop has ended and the robots will brake: later acts are not recorded.
+    /// Called when the loop has ended, before the robots brake: later acts are not recorded.
     void stop();
-    /// True if results are those of the last tick, not of the time when the robots stand: in this run, or in the
-    /// replayed one.
+    /// True if the results are those of the last tick of the run, not those after the robots have braked. A replay does
+    /// as the replayed run; `here` is the answer for other runs.
     bool is_of_given_length(bool here) const;
     /// The error that ended the run: the journal can't be written, or differs from the run.
     const std::optional<Error>& error() const { return error_; }
@@ -65,10 +66,10 @@ private:
     RunningSystem* live_ = nullptr;
     std::unique_ptr<Journal> journal_;
     std::unique_ptr<Replay> replay_;
-    std::unique_ptr<Replay> opened_;            // has been performed; its files are those of the system
-    std::unique_ptr<RecordedSystem> recorded_;  // is opened, and plays its messages
+    std::unique_ptr<Replay> opened_;            // a replay that was performed; the system uses its files
+    std::unique_ptr<RecordedSystem> recorded_;  // an opened recording whose messages are played
     std::string file_;
-    std::optional<Seek> failed_at_;  // within a recording
+    std::optional<Seek> failed_at_;  // the failure of a scenario that tested a recording
     std::vector<std::string> notes_, conditions_;
     ActTime stopped_;
     std::optional<Error> error_;

@@ -15,11 +15,11 @@
 namespace nezumi::cli {
 namespace {
 
-// A killed process loses at most 0.1 s: this, a tick and the time to write.
+// A killed process loses at most 0.1 s of the recording: this time, a tick, and the time to write.
 constexpr std::chrono::milliseconds longest_unpacked{50};
 constexpr std::chrono::seconds whole_chunk_every{1};
 constexpr std::size_t largest_chunk = std::size_t{1} << 20;  // bytes
-// For a thread that is in the middle of a tick, and for a slow disk.
+// How long `end_here` waits for a thread that is in the middle of a tick, and for a slow disk.
 constexpr std::chrono::milliseconds longest_lock{400};
 constexpr std::chrono::milliseconds longest_close{200};
 constexpr std::size_t message_overhead = 31;  // bytes
@@ -77,7 +77,8 @@ Expected<void> McapRecorder::begin(RunningSystem& live, const std::vector<std::s
     return {};
 }
 
-// All ports, except in-ports of pictures, which are those of an out-port; the truth, and named values.
+// Follows all ports, the truth, and named values. Connected in-ports of pictures are left out: they have the same
+// pictures as an out-port.
 void McapRecorder::follow_all(const System& system) {
     layout_ = system.layout();
     const auto follow_path = [&](const std::string& path, bool is_truth = false) {
@@ -189,7 +190,7 @@ void McapRecorder::read(Followed& followed, std::uint64_t log_time, bool latest_
         return;
     }
     const Port& port = *channel.port();
-    if (port.type() != followed.type) {  // a reload has defined it again
+    if (port.type() != followed.type) {  // a reload has defined the type again
         followed.type = port.type();
         followed.coding = coding_for(*followed.type);
         followed.number =
@@ -234,7 +235,7 @@ void McapRecorder::flush() {
             batch->batch.messages.push_back({number, piece.log_time, piece.log_time, as_text(text)});
         }
         out->add(batch->batch);
-        // An output that can't be overwritten gets whole chunks only.
+        // An output that can't be overwritten, such as a pipe, gets only whole chunks.
         return is_whole ? out->whole_chunk() : is_on_disk ? out->small_chunk() : std::string();
     };
     is_whole&& is_on_disk ? writer_.put_over(bytes, pack) : writer_.put(bytes, pack);

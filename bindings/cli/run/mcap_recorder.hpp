@@ -29,7 +29,7 @@ namespace nezumi::cli {
 /// message is logged at the time of its tick, from 0; after a restart the time goes on. Its publish time is its stamp.
 class McapRecorder final : public RunRecording {
 public:
-    /// Opens the file. The error says why it can't be written; then it is as it was.
+    /// Opens the file. The error says why the file can't be written; then the file is unchanged.
     static Expected<std::unique_ptr<McapRecorder>> create(const std::string& file);
     /// Without `finish` or `end_here` the file is dropped, and the older file is restored.
     ~McapRecorder() override;
@@ -38,10 +38,11 @@ public:
     McapRecorder(McapRecorder&&) = delete;
     McapRecorder& operator=(McapRecorder&&) = delete;
 
-    /// Follows this system, which must outlive all calls but `give_up` and `end_here`: the channels with these names,
-    /// as `follow_channels` has them, or everything. One tick of `every` is recorded.
+    /// Records this system, which must outlive all calls except `give_up` and `end_here`: the channels with these names
+    /// (see `follow_channels`), or everything if `names` is empty. Only ticks whose number is a multiple of `every` are
+    /// recorded.
     Expected<void> begin(RunningSystem& live, const std::vector<std::string>& names, std::int64_t every);
-    /// Takes the lines of the journal.
+    /// The function that takes the lines of the journal.
     JournalSink journal_sink();
 
     void add_rows(const System& system) override;
@@ -56,7 +57,7 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    // What comes next: messages, and pieces of the journal, whose text the writer's thread makes.
+    // The data of the next write: messages, and pieces of the journal, whose text is made on the writer's thread.
     struct Batch {
         record::McapBatch batch;
         struct Piece {
@@ -67,7 +68,7 @@ private:
     };
     struct Followed {
         const Channel* channel;
-        const MessageType* type = nullptr;  // of the port, as its coding is for it; null: named values
+        const MessageType* type = nullptr;  // of the port, as it was when `coding` was chosen; null: named values
         MessageCoding coding{};
         std::uint16_t number = 0;
         std::uint64_t turn = 0;
@@ -86,10 +87,10 @@ private:
     void end_file(std::chrono::milliseconds patience);
 
     const std::string name_;
-    Mutex mutex_;  // of all below
+    Mutex mutex_;  // for all members below
     ResultFile file_;
     FileWriter writer_;
-    std::shared_ptr<record::McapWriter> out_ = std::make_shared<record::McapWriter>();  // of the writer's thread
+    std::shared_ptr<record::McapWriter> out_ = std::make_shared<record::McapWriter>();  // used on the writer's thread
     RunningSystem* live_ = nullptr;
     bool follows_all_ = false;
     std::uint64_t layout_ = 0;

@@ -1,4 +1,4 @@
-// Options are read as words first, so that every mistake gets one plain sentence.
+// Options are read as strings first, so that each wrong one gives an error of one plain sentence.
 #include "bindings/cli/run/options.hpp"
 
 #include <arpa/inet.h>
@@ -25,7 +25,7 @@ Unexpected wrong(std::string_view option, std::string_view expected, std::string
     return failure(fmt::format("{}: expected {}, got '{}'", option, expected, shown(got)));
 }
 
-// "a, b" as its parts; an error where one is empty.
+// Splits "a, b" into its parts. An error if a part is empty.
 Expected<std::vector<std::string>> split(std::string_view option, std::string_view expected, const std::string& given) {
     std::vector<std::string> parts;
     std::string_view words = given;
@@ -84,7 +84,7 @@ Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
     for (const auto& [option, given] :
          {std::pair{"--port", !words.port.empty()}, {"--listen", !words.listen.empty()}, {"--open", words.open}}) {
         if (!given) continue;
-        if (headless) return failure(fmt::format("{}: a headless run has no page: leave it out", option));
+        if (headless) return failure(fmt::format("{}: a headless run has no page: leave out this option", option));
         if (words.no_web) return failure(fmt::format("{}: --no-web serves no page: leave out one of them", option));
     }
     if (headless || words.no_web) return std::nullopt;
@@ -120,7 +120,7 @@ std::vector<Option> run_options(RunWords& words) {
          "ends the run"},
         {"--batch", &words.batch,
          "console commands come from standard input; time moves only by their step and run, as fast as possible "
-         "unless --speed is given. As --headless otherwise"},
+         "unless --speed is given. In other respects like --headless"},
         {"--speed", &words.speed, "a factor of real time (default 1), or max: as fast as possible", "N|max"},
         {"--port", &words.port, "serve the page for browsers on this port, or the next free one (default 8765)", "N"},
         {"--no-web", &words.no_web, "serve no page for browsers"},
@@ -136,7 +136,7 @@ std::vector<Option> run_options(RunWords& words) {
         {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
         {"--seed", &words.seed, "the seed of all random numbers, instead of the file's seed(n) (default 124)", "N"},
         {"--set", &words.set,
-         "sets a parameter instead of the system file, also after a restart; may be repeated: mouse.speed=0.3, "
+         "set a parameter instead of the system file, also after a restart; may be repeated: mouse.speed=0.3, "
          "\"wander_*.speed=0.3\"; n=10 sets the file's argument(\"n\", 5)",
          "NAME.PARAMETER=VALUE"},
         {"--params", &words.params,
@@ -191,7 +191,7 @@ std::vector<Option> run_options(RunWords& words) {
         {"--sys-root", &words.sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
         {"--device-log",
          &words.device_log,
-         "with --hw: write all that the robots' drivers read and write",
+         "with --hw: log to this file everything that the robots' drivers read and write",
          "FILE",
          {},
          FileUse::result},
@@ -279,7 +279,7 @@ Expected<RunOptions> read_run_options(const RunWords& typed) {
     if (words.record.ends_with(".gz"))
         return wrong("--record", "a file of plain CSV, to be compressed by gzip when the run is over", words.record);
     const std::string ending = std::filesystem::path(words.record).extension();
-    // Pipes and devices have none: they take CSV.
+    // Names of pipes and devices have no ending: they get CSV.
     if (!ending.empty() && ending != ".csv" && ending != ".mcap")
         return wrong("--record", "a file name that ends in .csv or .mcap", words.record);
     options.record = words.record;

@@ -1,4 +1,4 @@
-// What `nezumi run` was asked for: options as words, checked and turned into numbers.
+// The options of `nezumi run`: as typed, and as checked values.
 #pragma once
 
 #include <cstdint>
@@ -36,21 +36,21 @@ struct RunWords {
     bool open = false;
     bool page_on_input = false;
     bool stopped = false;
-    bool opens_replay = false;  ///< of `nezumi open`
+    bool opens_replay = false;  ///< true for `nezumi open`
 };
 
-/// They as a command has them. `words` must outlive the parsing.
+/// The options of `nezumi run`. Parsing stores the typed values in `words`, which must exist until then.
 std::vector<Option> run_options(RunWords& words);
-/// Those of `nezumi open`, whose RUN is the replay.
+/// The options of `nezumi open`; its argument RUN is stored in `replay`.
 std::vector<Option> open_options(RunWords& words);
 
 /// Where the page for browsers is served.
 struct Web {
     int port = 8765;           ///< or the next free one
     bool open = false;         ///< the page is shown in the desktop's browser, where there is one
-    bool on_input = false;     ///< standard input is a socket of `nezumi class`, which has the browsers
-    std::string only_shows{};  ///< why browsers may change nothing but the pace of time; "": they may
-    std::string listen{};      ///< IPv4 address at which other computers reach it, by TLS; "": only this computer does
+    bool on_input = false;     ///< standard input is a socket of `nezumi class`, to which the browsers are connected
+    std::string only_shows{};  ///< why browsers may change only the speed; "": they may change everything
+    std::string listen{};  ///< IPv4 address at which other computers reach the page, by TLS; "": only this computer can
 };
 
 struct RunOptions {
@@ -61,11 +61,11 @@ struct RunOptions {
     double speed = 1;      ///< a factor of real time; `as_fast_as_possible` for "max"
     double duration = std::numeric_limits<double>::infinity();  ///< [s] of simulated time
     std::optional<std::uint64_t> seed;
-    bool keep_going = false;        ///< a behaviour that can't be made is left out
+    bool keep_going = false;        ///< a behaviour that can't be loaded is left out
     std::optional<double> history;  ///< [min] of values that are remembered; none: `Series::usual_samples`
     int threads = 1;
     bool trace_hash = false;
-    bool real_time = false;            ///< ask the kernel for ticks in time; `speed` is a number then
+    bool real_time = false;            ///< real-time priority for the ticks; requires a finite `speed`
     std::string picture;               ///< "" for none; ends in .png or .svg
     std::string profile;               ///< "" for none; ends in .svg or .json
     std::string record;                ///< "" for none
@@ -73,10 +73,10 @@ struct RunOptions {
     std::int64_t every = 1;            ///< every N-th tick is recorded
     std::string journal;               ///< "" for none
     std::string replay;                ///< "" for none
-    std::string only_repeats;          ///< why nothing may change the run, a replay; "": it may be changed
+    std::string only_repeats;          ///< why the run, a replay, may not be changed; "": it may be changed
     bool opens_replay = false;         ///< the replay comes first, as fast as possible; then the run is paused
-    std::string sounds;                ///< folder for what robots say; "" for none
-    StartValues values;                ///< over the file's
+    std::string sounds;                ///< folder for the speech and tones of robots; "" for none
+    StartValues values;                ///< replace parameters of the system file
     std::optional<Web> web;            ///< none: no page is served
     std::optional<Hardware> hardware;  ///< none: everything is simulated
 };
@@ -84,7 +84,7 @@ struct RunOptions {
 /// Where the page is served; none: nowhere.
 Expected<std::optional<Web>> read_web(const RunWords& words, bool headless);
 
-/// Converts the words to values. The error is that of the first wrong word.
+/// Converts the typed options to values. The error is that of the first wrong option.
 Expected<RunOptions> read_run_options(const RunWords& words);
 
 }  // namespace nezumi::cli

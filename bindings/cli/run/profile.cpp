@@ -1,4 +1,4 @@
-// Components are looked for again when the system has changed.
+// Components are searched again when the system has changed.
 #include "bindings/cli/run/profile.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::string name_of_box(const LineCosts::Node& node) {
 std::vector<draw::FlameBox> boxes_of(const std::map<std::string, ExecutionProfile>& components) {
     std::vector<draw::FlameBox> boxes{{.parent = 0, .name = "behaviours"}};
     for (const auto& [name, profile] : components) {
-        // The root of its lines is the component.
+        // The root of a component's lines becomes the box of the component.
         const std::size_t first = boxes.size();
         for (const LineCosts::Node& node : profile.lines.nodes()) {
             const bool is_root = boxes.size() == first;

@@ -15,8 +15,8 @@ public:
     /// `file` ends in .svg (a flame graph) or .json (for speedscope and Perfetto).
     explicit RunProfile(std::string file) : file_(std::move(file)) {}
 
-    /// Measures every execution of behaviours from now on, with their lines, and the ticks of native components. Both
-    /// must outlive the loop's ticks.
+    /// Measures every execution of behaviours from now on, with their lines, and the ticks of native components. This
+    /// object and the loop must outlive all ticks.
     void follow(RunLoop& loop);
     /// Ends the measurement and writes the file. Returns the table of costs.
     Expected<std::string> finish(const RunningSystem& live);

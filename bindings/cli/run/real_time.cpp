@@ -30,7 +30,7 @@ bool may_lock_everything() {
 }
 
 int lock_memory() {
-    // With a limit, memory could not be allocated later.
+    // With a limit on locked memory, later allocations could fail.
     rlimit limit{};
     const bool limited = getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
     if (limited && !may_lock_everything()) return EPERM;

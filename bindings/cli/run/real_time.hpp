@@ -9,16 +9,16 @@ namespace nezumi::cli {
 /// The requests to the kernel; each returns 0 or an errno. Tests replace them.
 struct Kernel {
     std::function<int(int priority)>
-        schedule;                      ///< the calling thread gets priority over all ordinary ones; 0: an ordinary one
-    std::function<int()> lock_memory;  ///< of the whole program, present and future
+        schedule;  ///< makes the calling thread a real-time thread with this priority; 0: an ordinary thread
+    std::function<int()> lock_memory;  ///< locks the present and future memory of the program
 };
 Kernel the_kernel();
 
-/// During its lifetime the thread that made it has priority over ordinary ones, and memory is locked. Threads and
-/// processes started by this thread are ordinary, as are all earlier ones.
+/// While this object exists, the thread that created it has priority over ordinary threads, and memory is locked. All
+/// other threads stay ordinary, also threads and processes that this thread starts.
 class RealTime {
 public:
-    /// Below the kernel's interrupt threads, which have 50 if they exist.
+    /// Lower than the priority of the kernel's interrupt threads, which is 50 if they exist.
     static constexpr int priority = 40;
 
     explicit RealTime(Kernel kernel = the_kernel());

@@ -1,5 +1,5 @@
-// Rows are written as they come. When a sequence grows the rows from then on have more cells, and `finish` gives the
-// earlier ones as many.
+// Rows are written as they come. When a sequence grows, the later rows have more cells, and `finish` adds the missing
+// cells to the earlier rows.
 #include "bindings/cli/run/recorder.hpp"
 
 #include <fmt/format.h>
@@ -19,13 +19,14 @@ namespace nezumi::cli {
 namespace {
 
 constexpr std::size_t flush_at = 16384;  // bytes
-// A crash may cost 0.1 s: this, a tick and the time to write.
+// A crash loses at most 0.1 s of the recording: this time, a tick, and the time to write.
 constexpr std::chrono::milliseconds longest_unwritten{50};
-// For a tick that is just adding its rows, and then for a disk that is slow.
+// How long `end_here` waits for a tick that is adding its rows, and then for a slow disk.
 constexpr std::chrono::milliseconds longest_wait{400};
 constexpr std::chrono::milliseconds longest_end{200};
 
-// Follows everything with such a name: of each component, its out-ports, or what else it has by this name.
+// Follows all channels that match a pattern. The part after the dot names any member of a component ("mouse_*.truth"),
+// or, if it has * or ?, only out-ports ("mouse.*").
 std::vector<const Channel*> follow_fitting(Trace& trace, const System& system, const std::string& pattern) {
     const std::size_t dot = std::min(pattern.find('.'), pattern.size());
     const std::string name = pattern.substr(0, dot), what = pattern.substr(std::min(dot + 1, pattern.size()));
@@ -82,12 +83,12 @@ Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const S
     return recorder;
 }
 
-// Where a ranger is mounted and what it can measure is in a row only if it has changed.
+// Empties the cells of values that seldom change (the position and the limits of a ranger), unless they have changed.
 void Recorder::empty_what_stays(std::vector<std::string>& cells) {
     const std::vector<std::string>& names = table_.names();
     for (std::size_t id = kept_.size(); id < names.size(); ++id) {
         const std::string& name = names[id];
-        // "mouse.scan.config.maxRange", and not a parameter as "mouse.config.range".
+        // True for "mouse.scan.config.maxRange", but not for a parameter such as "mouse.config.range".
         const auto port = name.find('.', name.find('.') + 1);
         const bool seldom_changes =
             port != name.npos && (name.compare(port, 10, ".geometry.") == 0 || name.compare(port, 8, ".config.") == 0);
@@ -103,7 +104,7 @@ void Recorder::empty_what_stays(std::vector<std::string>& cells) {
     }
 }
 
-// Those that were there before go on in their columns.
+// Follows new out-ports; the others keep their columns.
 void Recorder::follow_ports(const System& system) {
     followed_layout_ = system.layout();
     for (const auto& component : system.components()) {
@@ -121,7 +122,7 @@ void Recorder::begin_layout() {
     width_ = table_.width();
     if (layouts_.size() > 1) return;
     buffer_ += layouts_.back().header + "\n";
-    // An output that can't be read again keeps its first columns.
+    // An output that can't be read again, such as a pipe, keeps its first columns.
     if (file_.path().empty()) table_.fix_columns();
 }
 
@@ -162,7 +163,7 @@ void Recorder::align_rows() {
         if (problem == 0) problem = write_all(aligned.descriptor(), std::exchange(text, {}));
         if (problem == 0 && writer_->is_given_up()) problem = ECANCELED;
     };
-    read_csv_row(in, row);  // the header of the beginning
+    read_csv_row(in, row);  // skips the old header
     std::size_t layout = 0;
     std::vector<std::string> by_id;
     for (std::uint64_t number = 0; problem == 0 && read_csv_row(in, row); ++number) {

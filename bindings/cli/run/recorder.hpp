@@ -1,4 +1,4 @@
-// `--record`: what a system carried, as CSV with a row for every tick, written by a thread of its own.
+// `--record`: messages and values of a system as CSV, with a row for every tick, written on a separate thread.
 #pragma once
 
 #include <chrono>
@@ -22,17 +22,18 @@
 namespace nezumi::cli {
 
 /// Follows the channels with these names ("mouse.ir_sensor_out", "mouse.truth", "controller.config") from now on. A
-/// name may have * and ? in it, which stand for any characters but dots. An error names what does not exist.
+/// name may contain * and ?, which stand for any characters except dots. An error names what does not exist.
 Expected<std::vector<const Channel*>> follow_channels(Trace& trace, const System& system,
                                                       const std::vector<std::string>& names);
 
-/// The first column is `time` [s], the tick's; the others are those of a `TraceTable`. A tick in which a port published
-/// several messages has as many rows of the same time.
+/// The first column is the `time` [s] of the tick; the others are those of a `TraceTable`. If a port published several
+/// messages in a tick, the tick has one row for each of them, all with the same time.
 class Recorder final : public RunRecording {
 public:
-    /// Opens the file for these channels of the system (`follow_channels`), or for every out-port if there are none,
-    /// also of components that come while it runs. One tick of `every` is recorded. An error names what does not exist,
-    /// or says why the file can't be written; then the file is as it was. The trace must outlive the recorder.
+    /// Opens the file for these channels of the system (`follow_channels`). If `names` is empty, all out-ports are
+    /// recorded, also of components that are added later. Only ticks whose number is a multiple of `every` are
+    /// recorded. An error names what does not exist, or says why the file can't be written; then the file is unchanged.
+    /// The trace must outlive the recorder.
     static Expected<Recorder> open(const std::string& file, Trace& trace, const System& system,
                                    const std::vector<std::string>& names, std::int64_t every = 1);
     Recorder(Recorder&&) noexcept = default;
@@ -50,7 +51,7 @@ public:
     void give_up() override { writer_->give_up(); }
 
 private:
-    // From which row on the columns are these, by their ids.
+    // The columns from row `row` on, by their ids.
     struct Layout {
         std::uint64_t row;
         std::vector<std::size_t> ids;
@@ -68,18 +69,18 @@ private:
     void align_rows();
     void end_with_note(std::string_view why);
 
-    std::unique_ptr<Mutex> mutex_ = std::make_unique<Mutex>();  // of all below
+    std::unique_ptr<Mutex> mutex_ = std::make_unique<Mutex>();  // for all members below
     std::string name_;                                          // of the file, as it was given
     ResultFile file_;
     std::unique_ptr<FileWriter> writer_;
     Trace* trace_;
-    std::set<std::string> followed_;                // out-ports, where it is all of them
-    std::optional<std::uint64_t> followed_layout_;  // the system's when they were looked for; none: not all of them
+    std::set<std::string> followed_;                // the out-ports, if all of them are recorded
+    std::optional<std::uint64_t> followed_layout_;  // `System::layout` at the last search; none: not all are recorded
     TraceTable table_;
-    std::vector<Layout> layouts_;  // the last one is today's
-    std::size_t width_ = 0;        // of the table in the last one
+    std::vector<Layout> layouts_;  // the last one is the present one
+    std::size_t width_ = 0;        // of the table in the last layout
     std::int64_t every_ = 1;
-    // By id, of columns that seldom change, what they had when it was written last.
+    // By column id: the last written value of a column that seldom changes; none for other columns.
     std::vector<std::optional<std::string>> kept_;
     bool sealed_ = false;
     std::uint64_t rows_ = 0;

@@ -1,4 +1,4 @@
-// The recording is written as the run goes; all else is taken at its end, and then written.
+// The recording is written during the run; the other results are taken and written at its end.
 #include "bindings/cli/run/results.hpp"
 
 #include <fmt/format.h>

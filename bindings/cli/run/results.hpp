@@ -17,10 +17,10 @@ namespace nezumi::cli {
 
 class RunResults {
 public:
-    /// Opens a recording that takes the journal too, before the system is loaded. An error says why it can't be
-    /// written.
+    /// Opens an MCAP recording before the system is loaded, because it gets the journal too. An error says why the file
+    /// can't be written.
     Expected<void> prepare(const RunOptions& options);
-    /// Takes the journal for that recording; empty if there is none.
+    /// The function that takes the journal for this recording; empty if there is none.
     JournalSink journal_sink();
     /// Adds a line of the log to the recording.
     void log(const LogLine& line) {
@@ -31,15 +31,16 @@ public:
     Expected<void> open(const RunOptions& options, RunningSystem& live);
     /// Follows the loop and ends it when the recording can't be written.
     void follow(RunLoop& loop);
-    /// Takes the present results. `title` is that of the picture.
+    /// Takes the results as they are now; later ticks do not change them. `title` is the title of the picture.
     void take(const std::string& title);
     std::uint64_t hash() const { return hash_; }
     /// Writes the results. An error gives the reason.
     Expected<void> write();
-    /// The run is not valid, for this reason: removes files that look like results. Returns a message about it, or "".
+    /// For a run that failed: completes the recording, with the reason `why` at its end. Returns a text about the older
+    /// file that is kept, or "".
     std::string discard(const std::string& why);
 
-    /// The recording is slower than the run.
+    /// True if the recording is slower than the run.
     bool is_behind() const { return recorder_ && recorder_->is_behind(); }
 
     // Any thread may call:
@@ -48,7 +49,7 @@ public:
     void give_up() {
         if (recorder_) recorder_->give_up();
     }
-    /// Completes the recording with the present data.
+    /// Completes the recording with the data so far.
     void end_at_once() {
         if (recorder_) recorder_->end_here("the run was ended immediately");
     }
@@ -60,7 +61,7 @@ private:
     RunLoop* loop_ = nullptr;
     std::string picture_file_;
     std::unique_ptr<RunRecording> recorder_;
-    McapRecorder* mcap_ = nullptr;  // it, if it is one
+    McapRecorder* mcap_ = nullptr;  // `recorder_`, if it records MCAP
     draw::Trajectories trajectories_;
     int starts_ = 0;
     std::optional<draw::PictureOf> picture_;

@@ -16,7 +16,7 @@
 namespace nezumi::cli {
 namespace {
 
-// As `behavior` at the console does; it waits to be activated.
+// Adds a behaviour as `behavior` at the console does. The new component is inactive.
 Expected<void> add(RunningSystem& live, const openrtm::RtcRequest& request) {
     SystemWords words(live.project(), live.options().peer_words, live.spec());
     FileTable fields;
@@ -57,7 +57,7 @@ Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void
          .wake =
              [rings] {
                  const std::uint64_t one = 1;
-                 // If the counter is full, the file is readable too.
+                 // The write fails if the counter is full: then the file is readable anyway.
                  if (::write(rings, &one, sizeof one) < 0) return;
              },
          .create = [&live](const openrtm::RtcRequest& request) { return add(live, request); },
@@ -102,7 +102,7 @@ std::future<std::string> RunRtm::look() { return server_->look(); }
 
 std::future<Expected<std::string>> refused_peers() {
     std::promise<Expected<std::string>> refused;
-    refused.set_value(failure("this system is not among RTCs: write rtm { export = ... } in its file"));
+    refused.set_value(failure("this system is not connected to RTCs: write rtm { export = ... } in the system file"));
     return refused.get_future();
 }
 

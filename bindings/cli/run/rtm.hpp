@@ -16,7 +16,7 @@ namespace nezumi::cli {
 
 class RunRtm final : public Attendant {
 public:
-    /// Starts the export. The loop must outlive it. `log` gets messages. An error gives the reason.
+    /// Starts the export. The loop must outlive this object. `log` gets messages. An error gives the reason.
     static Expected<std::unique_ptr<RunRtm>> open(RunLoop& loop, std::function<void(const LogLine&)> log);
 
     /// Passes a console's question or request to RTCs of other programs.

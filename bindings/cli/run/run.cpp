@@ -1,4 +1,4 @@
-// The pieces of a run in the order in which they are opened. They are ended even if one of them blocks.
+// Opens the parts of a run in order, and ends all of them even if one of them blocks.
 #include "bindings/cli/run/run.hpp"
 
 #include <fmt/format.h>
@@ -62,8 +62,8 @@ bool all_stand(const System& system) {
     return true;
 }
 
-// Deactivates everything and lets the robots brake. SIGTERM asks for an immediate end: real ones stop with the next
-// tick, which does not wait for its time.
+// Deactivates everything and lets the robots brake. SIGTERM requires an immediate end: real robots stop in the next
+// tick, which begins at once.
 void stop(RunLoop& loop, int signal) {
     const bool at_once = signal == SIGTERM;
     if (at_once) loop.live().halt();
@@ -87,7 +87,7 @@ std::string summary(const RunLoop& loop, std::chrono::duration<double> wall) {
     return text;
 }
 
-// One run of `nezumi run`, from the options to the exit status, or to what kept it from running.
+// One run of `nezumi run`, from the options to the exit status, or to the error that prevented it.
 class Run {
 public:
     explicit Run(RunOptions options)
@@ -98,7 +98,7 @@ public:
     }
 
     ~Run() {
-        // Ends here everything that may hang, while signals are still watched.
+        // Everything that may hang is ended here, while signals are still watched.
         doing_ = "devices and components of other programs";
         rtm_.reset();
         web_.reset();
@@ -106,13 +106,13 @@ public:
         loop_.reset();
         live_.reset();
         if (devices_) devices_->close([this](const std::string& line) { screen_.say(line); });
-        give_up_files();  // of a run that was none
+        give_up_files();  // of a run that failed; after a complete run this has no effect
         doing_ = "standard error";
     }
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
-    /// Returns the exit status. If it could not run, the error has already been printed.
+    /// Returns the exit status. If the run was not possible, its error has already been printed.
     int operator()() {
         const auto ended = run();
         if (ended) return *ended;
@@ -127,7 +127,7 @@ private:
                                        {"--picture", !options_.picture.empty()}});
             !ok)
             return Unexpected(ok.error());
-        // A replay reads no other file, and knows its system by name.
+        // A replay reads no other file: the system file that is given with it need not exist.
         if (options_.replay.empty() || !options_.file.empty()) {
             if (auto whole = push::finish_interrupted_push(options_.file); !whole) return Unexpected(whole.error());
             auto file = find_system_file(options_.file);
@@ -202,8 +202,8 @@ private:
         if (journal_.error()) return give_up(*journal_.error());
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
 
-        // A run of a given length shows the world at its end, if --duration or commands gave the length;
-        // one that was ended shows it when the robots stand.
+        // The results of a run whose length is given by --duration or by commands are those of its last tick. The
+        // results of an interrupted run are those after the robots have braked.
         const bool of_given_length = journal_.is_of_given_length(
             !loop.interrupted() && (options_.batch || live_->system().now().seconds >= options_.duration - 1e-9));
         if (of_given_length) results_.take(name_of_system());
@@ -211,7 +211,7 @@ private:
         shutdown_buttons.finish();
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
         if (!of_given_length) results_.take(name_of_system());
-        // Files first: who takes nothing at a console keeps nothing from being written.
+        // Files first: a console that does not read its output must not delay them.
         real_time_.reset();
         doing_ = "results to be written";
         if (auto told = journal_.finish(of_given_length, results_.hash()); !told) return give_up(told.error());
@@ -248,14 +248,14 @@ private:
         live.values = options_.values;
         live.budget = options_.headless ? headless_budget : paced_budget;
         live.watch = !options_.headless;
-        // What came over the network is in the journal: its replay is alone.
+        // A replay uses no network: the received messages are in the journal.
         if (options_.replay.empty()) live.network = dds::make_networks(domains_, version());
         if (devices_) use_hardware(live, *options_.hardware, devices_->roots());
         live.print = [this](std::string_view line) { say(std::string(line)); };
         return live;
     }
 
-    // A robot that does not move because a line in the file is missing.
+    // Reports robots that can't move because nothing is connected to their velocity port.
     void tell_undriven() {
         if (options_.batch) return;
         for (const Robot* robot : live_->system().robots()) {
@@ -282,7 +282,7 @@ private:
         console_->server().ask_peers_by(peer_asker());
         loop_->after_tick([this] { console_->after_tick(); });
         if (options_.batch) loop_->end_waits_while([this] { return console_->is_batch_running(); });
-        // A run without consoles is better than no run.
+        // An error here does not end the run.
         if (auto ok = console_->listen(); !ok) screen_.say("no console can attach: " + ok.error().message);
         if (options_.batch) return console_->open_batch();
         const std::string page = open_web();
@@ -291,8 +291,8 @@ private:
         return {};
     }
 
-    // Returns what is to be said of the page, on a terminal with its address for a camera. A run without one is better
-    // than none.
+    // Opens the page, and returns the message about it; on a terminal with a QR code of its address. An error is only a
+    // message: the run continues without a page.
     std::string open_web() {
         if (!options_.web) return "";
         auto web = RunWeb::open(
@@ -309,7 +309,7 @@ private:
         return [this](const PeerRequest& request) { return rtm_ ? rtm_->ask(request) : refused_peers(); };
     }
 
-    // A replay has what RTCs did in its journal.
+    // A replay uses no RTCs: their acts are in the journal.
     Expected<void> open_rtm() {
         if (openrtm::RtmWord::find(live_->spec()) == nullptr || !options_.replay.empty()) return {};
         auto rtm = RunRtm::open(*loop_, live_->options().build.log);
@@ -319,7 +319,7 @@ private:
         return {};
     }
 
-    // The run has failed: no file stays that looks like a result. Complete rows stay, with a note.
+    // Ends the files of a run that failed. The recording keeps its complete rows, followed by the reason.
     Expected<int> give_up(const Error& error) {
         std::string why = visible(describe(error));
         std::replace(why.begin(), why.end(), '\n', ' ');
@@ -329,7 +329,8 @@ private:
         return Unexpected(std::move(told));
     }
 
-    // Reports a command of --batch that a signal or the end of the time cut off. Returns whether there is one.
+    // Reports a command of --batch that was cut off by a signal or by --duration. Returns true if there is one, or if a
+    // signal ended the run.
     bool tell_cut_off() {
         if (!options_.batch || !(loop_->interrupted() || loop_->came_to_end())) return false;
         const int line = console_->unfinished_line();
@@ -340,13 +341,13 @@ private:
         return line > 0 || loop_->interrupted();
     }
 
-    // The outputs of the run are slower than the run.
+    // True if the outputs of the run are slower than the run.
     bool is_behind() const {
         return screen_.is_behind() || journal_.is_behind() || results_.is_behind() ||
                (options_.batch && console_ && console_->is_behind());
     }
 
-    // The three that follow are not called on the run's own thread.
+    // After a signal, the next three functions are called on other threads.
 
     void give_up_files() {
         results_.give_up();
@@ -365,7 +366,7 @@ private:
     }
 
     Expected<int> finish(const std::string& how) {
-        // The output of --batch is the same each time, but the duration is not.
+        // The output of --batch must be the same each time, and the duration is not.
         if (!options_.batch) screen_.say(how);
         if (!costs_.empty()) screen_.say(costs_);
         int status = (!console_ || console_->all_well()) && !tell_cut_off() ? exit_done : exit_failed;
@@ -386,21 +387,21 @@ private:
     RunOptions options_;
     bool prompt_;
     termios terminal_before_{};
-    std::atomic<const char*> doing_ = "a tick";  // what a run that does not end waits for
+    std::atomic<const char*> doing_ = "a tick";  // what the run is waiting for if it does not end
     std::atomic<bool> results_are_written_ = false;
     RunResults results_;
     std::optional<RunProfile> profile_;
-    std::string costs_;  // the table that it gives
+    std::string costs_;  // the table of costs
     std::optional<RunDevices> devices_;
-    RunJournal journal_;                  // its files outlive the system
-    std::optional<StopSignals> signals_;  // of which another thread makes use of all above
-    Screen screen_;                       // before all that speaks through it
+    RunJournal journal_;                  // its files must outlive the system
+    std::optional<StopSignals> signals_;  // its thread uses all members above
+    Screen screen_;                       // must outlive everything that prints through it
     Problems problems_;
     dds::Domains domains_;
     std::unique_ptr<RunningSystem> live_;
     std::optional<RunLoop> loop_;
     std::optional<RunConsole> console_;
-    std::unique_ptr<RunWeb> web_;  // before the console that it relays goes
+    std::unique_ptr<RunWeb> web_;  // destroyed before the console that it uses
     std::unique_ptr<RunRtm> rtm_;
     std::optional<RealTime> real_time_;
 };

@@ -5,7 +5,7 @@
 
 namespace nezumi::cli {
 
-/// Runs it until its end or Ctrl-C. Returns the exit status; errors have been written to standard error.
+/// Runs a system until its end or Ctrl-C. Returns the exit status. Errors are printed to standard error.
 int run_system(RunOptions options);
 
 }  // namespace nezumi::cli

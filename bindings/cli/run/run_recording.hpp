@@ -15,13 +15,13 @@ class RunRecording {
 public:
     virtual ~RunRecording() = default;
 
-    /// Adds what the tick that has just passed brought.
+    /// Adds the messages and values of the tick that has just ended.
     virtual void add_rows(const System& system) = 0;
-    /// Adds a line of the log, if the format has room for it.
+    /// Adds a line of the log, if the format can contain log lines.
     virtual void log(const LogLine& /*line*/) {}
     /// From now on ticks are ignored.
     virtual void seal() = 0;
-    /// Completes the file and removes the older file of its name. If the file can't be written, the error says why;
+    /// Completes the file and removes the older file with its name. If the file can't be written, the error says why;
     /// then everything that was written completely is kept, and the older file too, under a name that the error gives.
     virtual Expected<void> finish() = 0;
     /// Completes the file of a run that failed; may be called while another thread is in a tick that does not end. The
@@ -31,7 +31,7 @@ public:
     virtual std::string told_of_older() const = 0;
     /// Why the file can't be written, as soon as this is known.
     virtual const std::optional<Error>& error() const = 0;
-    /// The file is slower than the run: a run without a clock should wait.
+    /// True if the file is slower than the run: then a run without a clock should wait.
     virtual bool is_behind() const = 0;
     /// Drops what is not written yet, so that `finish` returns soon, with an error. From any thread.
     virtual void give_up() = 0;

@@ -51,7 +51,7 @@ int Screen::width() {
 void Screen::log(const LogLine& line) {
     const std::string who = line.component.empty() ? "" : line.component + ": ";
     const std::string_view colour = live_ ? colour_of_level(line.level) : "";
-    // A script's text must not contain control sequences.
+    // `visible_message` escapes control sequences in a script's text.
     put(fmt::format("{}[{:9.3f}] {:5} {}{}{}\n", colour, line.seconds, to_text(line.level), who,
                     visible_message(line.text), colour.empty() ? "" : "\x1b[0m"));
 }

@@ -28,16 +28,16 @@ public:
     // These functions never wait. Above `most_waiting`, lines are dropped; their number is written instead.
 
     void log(const LogLine& line);
-    /// One line of our own.
+    /// Writes a line that is not a log line.
     void say(const std::string& text);
-    /// Lines without changes, such as a drawing for a terminal.
+    /// Writes lines without changes, such as a drawing for a terminal.
     void show(std::string_view lines) { put(lines); }
     /// Sets the status line, with its width in columns: at most `width()` - 1.
     void show_status(std::string line, int columns);
 
     /// Waits until everything is written, but at most `patience`.
     void flush(std::chrono::milliseconds patience);
-    /// Standard error is too slow: a run without a clock should wait.
+    /// True if standard error is too slow: then a run without a clock should wait.
     bool is_behind() const { return waiting_bytes_ > most_waiting / 4; }
     bool is_live() const { return live_; }
     /// Columns of the terminal.

@@ -18,7 +18,7 @@ public:
     bool serve(Pacer::Clock::time_point until) override;
 
 private:
-    // The time of both clocks.
+    // The times of the wall clock and of the simulation.
     struct Sample {
         Pacer::Clock::time_point wall;
         double simulated;  // [s]

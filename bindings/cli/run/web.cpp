@@ -32,13 +32,13 @@ bool is_set(const char* name) {
     return value != nullptr && *value != '\0';
 }
 
-// Asks the desktop, if there is one, without waiting.
+// Asks the desktop, if there is one, to open the file, without waiting.
 void show_in_browser(const std::filesystem::path& file) {
     if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return;
     const pid_t child = fork();
     if (child < 0) return;
     if (child == 0) {
-        // No process has to wait for the grandchild.
+        // The browser becomes a grandchild, so no process of ours has to wait for it.
         if (setsid() < 0 || fork() != 0) _exit(0);
         const int nothing = ::open("/dev/null", O_RDWR);
         for (const int file_of_ours : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, file_of_ours);
@@ -64,7 +64,7 @@ Expected<PageSockets> sockets_of(const Web& web) {
     sockets.options.first_port = web.port;
     sockets.options.ports = std::min(most_ports, 65536 - web.port);
     if (web.listen.empty()) return sockets;
-    if (history_path().empty()) return failure("a certificate needs a folder of yours: set HOME");
+    if (history_path().empty()) return failure("the certificate is stored in your home folder: set HOME");
     const auto certificate =
         web::find_certificate({.folder = history_path().parent_path(), .address = web.listen, .host = host_name()});
     if (!certificate) return Unexpected(certificate.error());
@@ -76,7 +76,8 @@ Expected<PageSockets> sockets_of(const Web& web) {
 }
 
 std::string about_certificate(const std::string& fingerprint) {
-    return "its certificate was made by this computer: a browser that warns must show this fingerprint (SHA-256)\n" +
+    return "the page's certificate was made by this computer: if the browser warns, the fingerprint (SHA-256) that it "
+           "shows must be this one\n" +
            fingerprint;
 }
 
@@ -111,7 +112,7 @@ Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& consol
     std::unique_ptr<RunWeb> run(
         new RunWeb(loop, console, std::move(*server), std::move(sockets->fingerprint), web.on_input));
     if (web.on_input) return run;
-    // Without it the page works, but other pages do not list it.
+    // Without this entry the page works, but other pages do not list it.
     auto entry = web::PageEntry::open({.name = loop.live().file().stem().string(),
                                        .process = getpid(),
                                        .url = run->server_->url(),

@@ -25,8 +25,8 @@ std::string about_certificate(const std::string& fingerprint);
 
 class RunWeb final : public Attendant {
 public:
-    /// Starts to serve. `conditions` are those of a failed scenario that is opened. Loop and console must outlive it.
-    /// An error gives the reason.
+    /// Starts to serve. `conditions` are those of a failed scenario that is opened. Loop and console must outlive this
+    /// object. An error gives the reason.
     static Expected<std::unique_ptr<RunWeb>> open(RunLoop& loop, RunConsole& console, const Web& web,
                                                   web::PeerSource peers, std::vector<std::string> conditions);
     ~RunWeb() override;
@@ -35,8 +35,8 @@ public:
 
     /// The page's address, with the token for full access.
     std::string url() const { return server_->url(); }
-    /// The address for people ("" if another program has the browsers), and if other computers have access, the
-    /// certificate's fingerprint.
+    /// The address for people ("" if the browsers are connected to `nezumi class`), and if other computers have access,
+    /// the certificate's fingerprint.
     std::string where() const;
     /// The address as a QR code for a terminal; "" if only this computer has access.
     std::string picture() const;

@@ -1,5 +1,5 @@
-// Detects forgotten values and repeated names before anything is written. Checks values itself, because the parser's
-// messages name its types.
+// Detects forgotten values and repeated names before anything is written. Values are checked here, because the messages
+// of the parser CLI11 name its internal types.
 #include "bindings/cli/shell/command_checks.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ std::filesystem::path place_of(const std::string& file) {
     return problem ? std::filesystem::path(file) : place;
 }
 
-// Devices and pipes lose nothing.
+// False for devices and pipes: writing destroys nothing there.
 bool is_lost_by_writing(const std::string& file) {
     std::error_code none;
     const auto status = std::filesystem::status(file, none);
@@ -80,7 +80,7 @@ std::string lost_file(const SubCommand& command) {
         for (const Option& other : command.options) {
             if (&other == &option || other.file == FileUse::none || file_of(other).empty()) continue;
             if (!is_same(file, file_of(other))) continue;
-            // A name that is looked up elsewhere is not a file here.
+            // A source that is not a file may be a name, such as that of a system.
             if (other.file == FileUse::source && !std::filesystem::exists(file)) continue;
             return other.file == FileUse::result
                        ? fmt::format("{} and {} would write the same file, '{}': give each its own", name,

@@ -8,12 +8,12 @@
 
 namespace nezumi::cli {
 
-/// Returns which option of `words`, the words after the command's name, is followed by another option instead of its
-/// value; "" if none. "--record=--odd" is a value.
+/// Returns an error if an option in `words`, the words after the command's name, is followed by another option instead
+/// of its value; "" if there is none. "--record=--odd" is a value.
 std::string missing_value(const SubCommand& command, const std::vector<std::string>& words);
 
-/// Returns which option's output file would overwrite a script, or a file of another option; "" if none. For options
-/// with values.
+/// Returns an error if the output file of an option would overwrite a script, or the file of another option; "" if
+/// there is none. Call this after parsing.
 std::string lost_file(const SubCommand& command);
 
 }  // namespace nezumi::cli

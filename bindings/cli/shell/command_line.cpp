@@ -1,5 +1,5 @@
-// The only file that includes CLI11, which takes long to compile. CLI11's messages show its types and counts; ours show
-// what was typed.
+// The only file that includes CLI11, which takes long to compile. CLI11's error messages show internal types and
+// counts; these show the typed words.
 #include "bindings/cli/shell/command_line.hpp"
 
 #include <CLI/CLI.hpp>
@@ -166,7 +166,7 @@ int run_command_line(const SubCommand& program, const std::vector<std::string>& 
     CLI::App app{program.help, program.name};
     declare(app, program);
     try {
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes words from the back
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // parse() takes words from the back
     } catch (const CLI::Success& asked) {                                   // --help, --version
         return app.exit(asked);
     } catch (const CLI::ParseError& error) {

@@ -14,13 +14,13 @@ namespace nezumi::cli {
 /// Returns the error in words that follow the option's name, or "".
 using OptionCheck = std::function<std::string(const std::string&)>;
 
-/// An integer within this range; `most_text` is the text of the largest value.
+/// Accepts an integer within this range; `most_text` is the text of the largest value.
 OptionCheck whole_number(std::uint64_t least, std::uint64_t most, const std::string& most_text);
 
-/// A number within this range.
+/// Accepts a number within this range.
 OptionCheck number_from(double least, double most);
 
-/// Not empty: an empty value is usually a mistake, such as a shell variable that is not set.
+/// Refuses an empty value, which is usually a mistake, such as a shell variable that is not set.
 std::string not_empty(const std::string& text);
 
 /// A flag with an optional value: "--hw" gives "true", "--hw=mouse" gives "mouse"; "" if it is not given.
@@ -54,7 +54,7 @@ struct Option {
 std::vector<std::string> names_of(const Option& option);
 /// True for a positional argument.
 bool is_positional(const Option& option);
-/// True if a value follows it.
+/// True if a value follows the option.
 bool takes_value(const Option& option);
 
 struct SubCommand {

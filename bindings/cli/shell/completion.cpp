@@ -1,5 +1,5 @@
 // All three scripts work alike: they go from command to sub-command along the line to its "place" ("nezumi new
-// behavior"), and offer what is possible there.
+// behavior"), and offer the words that are possible there.
 #include "bindings/cli/shell/completion.hpp"
 
 #include <fmt/format.h>
@@ -111,7 +111,7 @@ _nezumi() {{
         case "$place $word" in
 {1}        esac
     done
-    # Of --option=value bash makes three words.
+    # bash splits --option=value into three words.
     local current=${{COMP_WORDS[at]}}
     [[ $current == "=" ]] && current= && ((++at))
     [[ ${{COMP_WORDS[at-1]}} == "=" ]] && ((--at))

@@ -102,7 +102,7 @@ std::string status_of(const SubCommand& command) {
 }
 
 std::string begin(const std::string& name, const std::string& version, const std::string& help) {
-    // "nezumi runs ..." follows "nezumi -".
+    // The help "nezumi runs ..." becomes "nezumi - runs ...".
     std::string what = help.starts_with(name + " ") ? help.substr(name.size() + 1) : help;
     if (what.size() > 1 && std::islower(static_cast<unsigned char>(what[1])) != 0)
         what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));

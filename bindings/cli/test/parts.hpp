@@ -12,7 +12,7 @@
 
 namespace nezumi::cli {
 
-/// Parses "2/5"; empty means the whole.
+/// Parses "2/5"; an empty text stands for all runs.
 Expected<Shard> read_shard(const std::string& text);
 
 /// Parses "1..250"; nothing if empty.

@@ -1,4 +1,4 @@
-// A recorded world can't be changed: what it did is known.
+// A recorded world can't be changed: an act of the scenario on it is an error.
 #include "bindings/cli/test/recordings.hpp"
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ public:
     Expected<std::unique_ptr<RecordedWorld>> open(const std::filesystem::path& file,
                                                   const std::map<std::string, std::string>& ports,
                                                   LiveOptions options) const override {
-        // The log and prints of a repeated run are known already.
+        // The log and prints of a repeated run are the same as before, so they are dropped.
         options.build.log = {};
         options.print = {};
         auto recorded = RecordedSystem::open(file, ports, std::move(options));

@@ -1,4 +1,4 @@
-// The recorded runs that scenarios look at and judge by.
+// The recorded runs that scenarios test, and by which they judge behaviours.
 #pragma once
 
 #include "bindings/scenario/recordings.hpp"

@@ -43,7 +43,7 @@ public:
 
     void drop_journal(std::size_t world) override { drop(worlds_[world]); }
 
-    // The trace starts with the first tick: before, words may still add components.
+    // The trace starts with the first tick: before it, the scenario may still add components.
     void after_tick(std::size_t world) override {
         World& kept = worlds_[world];
         const System& system = kept.live.system();
@@ -99,7 +99,7 @@ private:
         RunningSystem& live;
         std::optional<Recorder> recorder{};
         draw::Trajectories trajectories{};
-        bool begun = false;  // it has ticked
+        bool begun = false;  // the first tick has passed
         std::unique_ptr<Journal> journal{};
         std::filesystem::path recording{};  // "": it is a simulation
     };

@@ -1,4 +1,4 @@
-// The scenario decides how many ticks there are, the loop when each of them is due.
+// The scenario decides how many ticks there are; the loop decides when each of them is due.
 #include "bindings/cli/test/shown_run.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ namespace {
 using Clock = Pacer::Clock;
 
 constexpr std::chrono::seconds longest_arrival{30};  // of the first browser
-constexpr std::chrono::seconds longest_absence{10};  // a page that is loaded again comes back
+constexpr std::chrono::seconds longest_absence{10};  // a page that is reloaded comes back within this time
 
 // The page of a run, from its first tick.
 class ShownRun final : public Spectator {
@@ -38,7 +38,7 @@ public:
     void tick(RunningSystem& live) override {
         if (!loop_) open(live);
         if (!is_left() && loop_->next_tick()) return;
-        live.tick();  // no spectator watches
+        live.tick();  // no browser shows the run: as fast as possible
     }
 
     void log(const LogLine& line) override {
@@ -84,7 +84,7 @@ private:
         return now - seen_ > longest_absence;
     }
 
-    // Serves the page meanwhile.
+    // Serves the page while the condition holds.
     template <class Condition>
     void wait_while(const Condition& holds) {
         while (holds()) {
@@ -114,8 +114,9 @@ int show_run(const TestPlan& plan, TestSessionOptions options, const Web& web, R
         if (!file.errors.empty()) return refuse(file.errors.front());
     }
     if (plan.runs.size() != 1)
-        return refuse(fmt::format("--show: these are {} runs: choose one by --filter (--list shows their names)",
-                                  plan.runs.size()));
+        return refuse(fmt::format(
+            "--show can show only one run, and these are {} runs: choose one by --filter (--list shows their names)",
+            plan.runs.size()));
     const StopSignals signals;
     ShownRun shown(web, signals.received());
     options.spectator = &shown;

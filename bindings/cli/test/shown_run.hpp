@@ -8,9 +8,9 @@
 
 namespace nezumi::cli {
 
-/// Does the only run of the plan at the pace of the clock, in this process, while a page shows its first world and can
-/// change nothing but the pace. It begins when a browser comes, and the page stays until it is closed; without a
-/// browser the run is done as fast as possible. Returns the exit status.
+/// Makes the only run of the plan in real time, in this process, while a page shows its first world. The page can
+/// change only the speed. The run begins when a browser opens the page, and the page is served until the browser closes
+/// it. Without a browser the run is made as fast as possible. Returns the exit status.
 int show_run(const TestPlan& plan, TestSessionOptions options, const Web& web, Reporter& reporter);
 
 }  // namespace nezumi::cli

@@ -1,5 +1,5 @@
-// Groups numbers if there are many; other values are shown side by side. A second parameter with few values gives a
-// series for each.
+// Groups numbers if there are many; other values are shown side by side. A second parameter with few values gives one
+// series for each of its values.
 #include "bindings/cli/test/sweep_plots.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ struct Sample {
     double value;
 };
 
-// Where values are drawn: as they are, or in the middle of one of some equal ranges if there are too many.
+// The positions of values on the axis: the values, or, if there are too many, the middles of equal ranges.
 class Places {
 public:
     explicit Places(const std::vector<Sample>& samples) {
@@ -48,7 +48,7 @@ public:
 
 private:
     double low_ = 0;
-    double size_ = 0;  // of a range; 0: none
+    double size_ = 0;  // of a range; 0: there are no ranges
 };
 
 // The different texts: numbers in ascending order, others in the order of first occurrence.
@@ -90,7 +90,8 @@ void add_series(SweepPlot& plot, const std::vector<Sample>& samples) {
     }
 }
 
-// The plot of a measure over a parameter; nothing if all values are equal.
+// The plot of a measure over a parameter. Nothing if the parameter has only one value, or if the parameter `by` has
+// only one or too many.
 std::optional<SweepPlot> plot_of(const std::string& scenario, const std::string& measure, const std::string& unit,
                                  const std::string& parameter, const std::string& by,
                                  const std::vector<Sample>& samples) {

@@ -1,4 +1,4 @@
-// The requested outputs are checked before anything runs, and written when all have run.
+// The requested output files are checked before the first run, and written after the last one.
 #include "bindings/cli/test/test.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ Expected<std::map<std::string, std::string>> read_rig(const std::string& words) 
     return sockets;
 }
 
-// Has scenarios run with real robots, or says why they can't be.
+// Sets the options for real robots if there is --hw. Fails if other options are impossible with --hw.
 Expected<void> choose_robots(const TestOptions& command, TestSessionOptions& options) {
     if (!command.hw) {
         for (const auto& [option, given] : {std::pair{"--rig", !command.rig.empty()},
@@ -91,7 +91,7 @@ Expected<void> choose_robots(const TestOptions& command, TestSessionOptions& opt
     return {};
 }
 
-// Nobody but a rig puts real robots back to where the next run begins.
+// Only a test rig can move real robots back to the start of the next run. Without a rig, only one run is possible.
 Expected<void> check_is_one(const TestOptions& command, const TestPlan& plan) {
     if (!command.hw || !command.rig.empty() || plan.runs.size() <= 1) return {};
     return failure(fmt::format(
@@ -125,7 +125,7 @@ int list(const TestPlan& plan, const Shard& shard) {
 int mutate_file(const TestOptions& command, TestPlan plan, TestSessionOptions& options) {
     const auto files = find_lua_files(command.mutate);
     if (!files) return refuse(files.error());
-    // Runs that a search would choose depend on the results of others.
+    // The runs of a search are left out: they depend on the results of other runs.
     std::erase_if(plan.runs, [](const PlannedRun& run) { return run.searched; });
     SweepProgress progress(write_error, isatty(STDERR_FILENO) == 1);
     options.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
@@ -137,7 +137,7 @@ int mutate_file(const TestOptions& command, TestPlan plan, TestSessionOptions& o
     return report->noticed() == report->tried.size() ? exit_done : exit_failed;
 }
 
-// What a session that is watched, shown or tried with changes can't be or write.
+// The options that are impossible with --watch, --show and --mutate.
 GivenOptions ways_and_results(const TestOptions& command) {
     return {{"--list", command.list},
             {"--merge", command.merge},
@@ -159,7 +159,7 @@ Expected<void> refuse_ways(const TestOptions& command, const GivenOptions& other
     return refuse_given(given, why);
 }
 
-// Whether the options go together.
+// Fails if two options contradict each other.
 Expected<void> check_options(const TestOptions& command) {
     if (command.watch) {
         auto ok = refuse_ways(command, {{"--mutate", !command.mutate.empty()}},
@@ -189,7 +189,7 @@ Expected<void> check_options(const TestOptions& command) {
     auto ok = refuse_given({{"--quiet", command.tap && command.quiet}}, "--tap reports every run");
     if (ok && command.search)
         ok = refuse_given({{"--hw", command.hw}, {"--update-goldens", command.update_goldens}},
-                          "--search: simulated runs are chosen by their results");
+                          "--search chooses simulated runs by their results");
     if (ok && !command.mutate.empty()) {
         ok = refuse_ways(command,
                          {{"--search", command.search.has_value()},
@@ -221,7 +221,7 @@ Expected<void> check_options(const TestOptions& command) {
     return ok;
 }
 
-// Runs what was planned.
+// Runs the plan. With --shard, stores it first, for --merge.
 Expected<SessionEnd> run_plan(const TestOptions& command, const TestPlan& plan, TestSessionOptions& options,
                               Reporter& reporter) {
     options.made_with = fingerprint(plan, options.seed, version(), options.installed);
@@ -238,7 +238,8 @@ Expected<SessionEnd> run_plan(const TestOptions& command, const TestPlan& plan, 
     return run_tests(plan, options, reporter);
 }
 
-// Works in the project's folder from now on. Output files stay in the user's working folder.
+// Makes the project's folder the working folder. The files of --junit, --measures, --margins, --plots and --coverage
+// stay in the user's working folder.
 Expected<void> enter_project(TestOptions& command) {
     namespace fs = std::filesystem;
     std::error_code problem;
@@ -273,7 +274,7 @@ int finish(const TestOptions& command, SessionEnd end) {
     if (!command.coverage.empty()) {
         if (end.coverage.empty() && command.merge)
             return refuse("--coverage: the parts have no coverage: make them with --coverage too");
-        // What some of the scenarios do not load may be the business of others.
+        // Only if all scenarios of the project were run: otherwise other scenarios may load these files.
         if (command.filter.empty() && (command.paths.empty() || command.merge)) add_unloaded_files(end.coverage);
         if (auto ok = write_coverage(end.coverage, command.coverage); !ok) return refuse(ok.error());
         // TAP allows only comments between its lines.
@@ -376,7 +377,7 @@ int test(TestOptions command) {
 
     for (const std::string& file : {command.junit, command.measures, command.margins}) {
         if (file.empty()) continue;
-        // Found out before hours of tests have run.
+        // Checked before the tests, which may run for hours.
         if (auto ok = check_can_write(file); !ok) return refuse(ok.error());
     }
     for (const std::string& folder : {command.plots, command.coverage}) {

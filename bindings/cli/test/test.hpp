@@ -10,7 +10,7 @@
 
 namespace nezumi::cli {
 
-/// As the command line has them.
+/// The options as they were typed.
 struct TestOptions {
     std::vector<std::string> paths;
     std::string project;  ///< the folder of the project to be tested; "": that of the working directory
@@ -29,7 +29,7 @@ struct TestOptions {
     bool watch = false;
     bool open = false;
     bool show = false;
-    RunWords page{};  ///< where a run is shown
+    RunWords page{};  ///< where --show serves the page
     bool update_goldens = false;
     std::string folder = "nezumi-test";
     bool hw = false;

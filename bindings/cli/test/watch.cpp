@@ -1,4 +1,4 @@
-// Looks at the times of files, because runs are forked processes, which do not inherit a watching thread.
+// Compares the times of files, because runs are forked processes, which do not inherit a watching thread.
 #include "bindings/cli/test/watch.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ class Watch {
 public:
     explicit Watch(const TestSessionOptions& options) : options_(options) {}
 
-    // The runs of a plan that are unknown, or have read one of these files; those that failed come first.
+    // The runs of a plan that are new, or have read one of these files; those that failed come first.
     TestPlan touched(TestPlan plan, const std::set<std::string>& saved) const {
         std::erase_if(plan.runs, [&](const PlannedRun& run) {
             const auto known = runs_.find(key_of(plan, run));
@@ -74,7 +74,7 @@ public:
         return end;
     }
 
-    // Looks at the times of all files that runs have read or looked for, and of the scenario files.
+    // Stores the times of all files that runs have read or searched for, and of the scenario files.
     void look(const TestPlan& plan) {
         times_.clear();
         const auto add = [&](const std::string& file) { times_.emplace(file, time_of(file)); };
@@ -86,12 +86,13 @@ public:
             for (const std::string& file : known.reads) add(file);
         }
     }
-    // Looks again at the same files.
+    // Stores the times of the same files again.
     void look_again() {
         for (auto& [file, time] : times_) time = time_of(file);
     }
 
-    // The files that were saved since. A file that is gone is about to be written again.
+    // The files that were saved since the times were stored. A missing file does not count: it is about to be written
+    // again.
     std::set<std::string> saved() const {
         std::set<std::string> files;
         for (const auto& [file, time] : times_) {
@@ -101,7 +102,7 @@ public:
         return files;
     }
 
-    // Scenario files that were not there when this was called last.
+    // The scenario files that are new since the last call.
     std::set<std::string> added(const std::vector<fs::path>& paths) {
         const auto found = find_scenario_files(paths);
         if (!found) return {};
@@ -144,7 +145,7 @@ int watch_tests(const std::vector<fs::path>& paths, const std::function<Expected
     std::set<std::string> saved;
     int status = exit_done;
     for (;;) {
-        watch.added(paths);  // before they are read
+        watch.added(paths);  // stores the present scenario files, before they are read
         auto plan = make_plan();
         if (!plan && saved.empty()) return refuse(plan.error());
         if (!plan) {
@@ -153,7 +154,7 @@ int watch_tests(const std::vector<fs::path>& paths, const std::function<Expected
         } else {
             const TestPlan whole = *plan;
             TestPlan touched = watch.touched(std::move(*plan), saved);
-            // Before the runs: what is saved meanwhile is new.
+            // Before the runs, so that files saved during the runs are found.
             watch.look(whole);
             const auto reporter = make_reporter();
             const SessionEnd end = watch.run(touched, *reporter);

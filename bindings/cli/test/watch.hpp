@@ -1,4 +1,4 @@
-// `nezumi test --watch`: runs what a save touches.
+// `nezumi test --watch`: runs the scenarios that a saved file affects.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,9 @@
 
 namespace nezumi::cli {
 
-/// Makes all runs, and after each save those that have read a saved file: first those that failed last. New scenarios
-/// run too, also those of new files that `paths` mean. Returns the exit status of the last session when a signal ends
-/// it.
+/// Makes all runs. After each save, repeats the runs that have read a saved file, failed ones first. New scenarios run
+/// too, also those of new files below `paths`. When a signal ends the watching, returns the exit status of the last
+/// session.
 int watch_tests(const std::vector<std::filesystem::path>& paths, const std::function<Expected<TestPlan>()>& make_plan,
                 const TestSessionOptions& options, const std::function<std::unique_ptr<Reporter>()>& make_reporter);
 

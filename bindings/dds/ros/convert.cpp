@@ -18,8 +18,8 @@ Quaternion about_z(double heading) { return {0, 0, std::sin(heading / 2), std::c
 
 double heading_of(const Quaternion& q) { return to_orientation(q).y; }
 
-// How a picture's pixels are called here and in ROS (sensor_msgs/image_encodings.hpp), the first name of each being the
-// one that is sent. OpenCV counts colours from blue.
+// Our names of pixel formats, and ROS's (sensor_msgs/image_encodings.hpp). If one of our formats is listed twice, the
+// first line is used for sending. The 8UC names are OpenCV's, whose colours begin with blue.
 struct Encoding {
     std::string_view ours, theirs;
     std::uint16_t bits;
@@ -37,15 +37,15 @@ constexpr std::array<Encoding, 13> encodings{{{"rgb8", "rgb8", 24},
                                               {"bgra8", "8UC4", 32},
                                               {"yuv422_yuy2", "yuyv", 16},
                                               {"yuv422", "uyvy", 16}}};
-// Compressed ones: our formats are theirs.
+// Compressed formats, which have the same names in ROS.
 constexpr std::array<std::string_view, 2> compressed{"jpeg", "png"};
 
 std::uint32_t whole(std::size_t value) {
     return static_cast<std::uint32_t>(std::min<std::size_t>(value, std::numeric_limits<std::uint32_t>::max()));
 }
 
-// A distance as ROS has it (REP 117): infinite where nothing is within reach, of which a ranger of ours says its
-// largest, and negatively so where something is nearer than it measures.
+// Converts a distance to ROS's convention (REP 117): infinity if nothing is within range, where our sensors give their
+// largest distance; minus infinity if the object is too near to be measured.
 float to_range(double range, const RangerConfig& config) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
     if (config.maxRange > 0 && range >= config.maxRange) return infinite;
@@ -181,8 +181,9 @@ Expected<void> from_ros(const Image& from, CameraImage& to) {
     const std::size_t row = std::size_t{from.width} * found->bits / 8;
     if (from.width > most || from.height > most || from.step < row ||
         from.data.size() < std::size_t{from.step} * from.height)
-        return failure(fmt::format("a picture of {} x {} pixels with {} bytes in rows of {}", from.width, from.height,
-                                   from.data.size(), from.step));
+        return failure(
+            fmt::format("a picture of {} x {} pixels with {} bytes in rows of {}: too large, or too few bytes",
+                        from.width, from.height, from.data.size(), from.step));
     to.width = static_cast<std::uint16_t>(from.width);
     to.height = static_cast<std::uint16_t>(from.height);
     to.bpp = found->bits;
@@ -233,7 +234,8 @@ Expected<void> from_ros(const CameraInfo& from, CameraIntrinsics& to) {
         return failure(fmt::format("the distortion model '{}': expected plumb_bob or rational_polynomial",
                                    shown(from.distortion_model)));
     if (from.width > most || from.height > most)
-        return failure(fmt::format("a camera of {} x {} pixels", from.width, from.height));
+        return failure(
+            fmt::format("a camera of {} x {} pixels: expected at most 65535 x 65535", from.width, from.height));
     const auto d = [&](std::size_t i) { return i < from.d.size() && (i < 5 || is_rational) ? from.d[i] : 0; };
     to = {.width = static_cast<std::uint16_t>(from.width),
           .height = static_cast<std::uint16_t>(from.height),

@@ -12,14 +12,14 @@
 
 namespace nezumi::ros {
 
-/// Whole nanoseconds; times before 0 become 0.
+/// Converts seconds to ROS's time with whole nanoseconds, and back. Times before 0 become 0.
 Time to_time(double seconds);
 double to_seconds(const Time& time);
 /// Rotations about the z, y and x axes, in this order.
 Quaternion to_quaternion(const Orientation3D& orientation);
 Orientation3D to_orientation(const Quaternion& rotation);
 
-// `to_ros` converts the first to the second; `from_ros` the other way, or returns an error.
+// Both convert the first argument to the second. `from_ros` returns an error if that is impossible.
 void to_ros(const Velocity2D& from, Twist& to);
 void to_ros(const Velocity2D& from, TwistStamped& to);
 void to_ros(const Pose2D& from, Odometry& to);

@@ -32,10 +32,11 @@ void set_stamp(Message& message, double stamp, const std::string& frame) {
     }
 }
 
-// The velocity of something of which poses are known.
+// Computes the velocity of a moving object from its poses.
 class Motion {
 public:
-    /// From the pose before to this one, in its own frame; 0 at first.
+    /// The mean velocity since the last pose, in the frame of the object; 0 for the first pose. `tm` [s]: time of
+    /// `pose`.
     Velocity2D to(const Pose2D& pose, double tm) {
         const Pose2D from = std::exchange(pose_, pose);
         const double period = tm - std::exchange(tm_, tm).value_or(tm);
@@ -119,7 +120,7 @@ private:
         give(payload_);
         return {};
     }
-    // The format of Humble.
+    // Reads the format of ROS 2 Humble, in which `Range` has no variance.
     Expected<void> read_without_variance(const Octets& bytes) {
         message_.variance = 0;
         return read_cdr(bytes, on_the_wire, message_.header, message_.radiation_type, message_.field_of_view,
@@ -132,7 +133,7 @@ private:
     T payload_{};
 };
 
-// Messages that a file defines carry no stamp but those of their own fields.
+// Sends messages of a type that a file defines. They have no stamp, unless the type has a field for it.
 class DefinedSender final : public Publication {
 public:
     DefinedSender(InPort<Value>& port, std::unique_ptr<dds::Writer> writer) : port_(port), writer_(std::move(writer)) {}
@@ -293,8 +294,9 @@ Expected<Mapping> find_mapping(const MessageType* port_type, std::string_view ty
     }
     const std::string_view name = port_type->name;
     if (types.empty()) return failure(fmt::format("there is no type of ROS for {}", name));
-    return failure(fmt::format("{} {} no '{}'{}; there {} {}", name, takes ? "is made of" : "becomes", shown(type),
-                               did_you_mean(type, types), types.size() == 1 ? "is" : "are", fmt::join(types, ", ")));
+    return failure(fmt::format(
+        "{} {} '{}'{}; the possible {} {}", name, takes ? "can't be made from" : "can't be sent as", shown(type),
+        did_you_mean(type, types), types.size() == 1 ? "type is" : "types are", fmt::join(types, ", ")));
 }
 
 std::optional<MessageCoding> find_coding(const MessageType& port_type, std::string_view type) {

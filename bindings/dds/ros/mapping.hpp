@@ -1,4 +1,4 @@
-// Which message types of ports correspond to which of ROS 2. The documentation's table is made from this list.
+// The message types of ROS 2 that correspond to message types of ports. The documentation's table is made from this.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +21,10 @@ namespace nezumi::ros {
 class Publication {
 public:
     virtual ~Publication() = default;
-    /// Sends what has come. `offset` [s]: what ROS calls now, less what the system does. `measured`: what the wheels of
-    /// the robot that it comes from do, if it comes from one.
+    /// Sends the messages that have arrived. `offset` [s]: ROS's time minus the system's time. `measured`: the measured
+    /// velocity of the robot that the message comes from; nullptr if it does not come from a robot.
     virtual void send(double offset, const Velocity2D* measured) = 0;
-    /// Sends a zero instead of the received message. `stamp` [s]: what ROS calls now.
+    /// Sends velocity 0 instead of the received message. `stamp` [s]: the present time in ROS.
     virtual void send_zero(double stamp) = 0;
     /// True if the last message may move a robot: a velocity other than zero.
     virtual bool moves() const = 0;
@@ -43,7 +43,7 @@ public:
 struct Mapping {
     const MessageType* port_type = nullptr;
     std::string_view type;     ///< of ROS: "geometry_msgs/msg/Twist"
-    std::string_view frame;    ///< default of its header; "" for none
+    std::string_view frame;    ///< default `frame_id` of the header; "" for none
     bool sensor_data = false;  ///< best effort, as ROS uses it for sensors
     const Type* definition = nullptr;
     std::function<std::unique_ptr<Publication>(InPortBase& port, std::unique_ptr<dds::Writer> writer,
@@ -58,12 +58,12 @@ struct Mapping {
 /// The mappings of the compiled message types. The first mapping of a port's type is its default.
 std::span<const Mapping> mappings();
 
-/// The mapping of a port's type to a type of ROS, or to the default for "". A type that a file defines has the name in
-/// ROS that the file gives it. An error lists the possible types. `takes`: from ROS.
+/// The mapping of a port's type to the type `type` of ROS; "" means the default. A type that a file defines has the ROS
+/// name that is given in the file. An error lists the possible types. `takes`: messages are received from ROS.
 Expected<Mapping> find_mapping(const MessageType* port_type, std::string_view type, bool takes);
 
-/// The coding of a port's messages in recordings: as the type `type` of ROS; for "" as the first with a stamp, else the
-/// first. Nothing if there is no such type.
+/// The encoding of a port's messages in recordings, as the type `type` of ROS. "" means the first type with a stamp, or
+/// the first type if none has one. Nothing if there is no such type.
 std::optional<MessageCoding> find_coding(const MessageType& port_type, std::string_view type = "");
 
 /// The DDS topic of "/cmd_vel", with its quality of service.

@@ -1,4 +1,4 @@
-// A port is named after its topic: "/scan/front" is scan_front.
+// A port of the node is named after its topic: "/scan/front" has the port scan_front.
 #include "bindings/dds/ros/node.hpp"
 
 #include <fmt/format.h>
@@ -109,7 +109,7 @@ void RosNode::open() {
                                .user_data = fmt::format("typehash={};", ros::type_hash(type_of<ros::Clock>()))});
 }
 
-// A simulation uses its own time for stamps, which /clock publishes; otherwise it is the time of day.
+// In a simulation, stamps are the simulated time, which /clock publishes; otherwise they are the time of day.
 double RosNode::offset(const Time& now) const {
     return system_.settings().real_time ? settings_.wall_clock() - now.seconds : 0;
 }
@@ -122,8 +122,8 @@ void RosNode::before_tick(const MessageDoor& deliver) {
         open();
         received_at_ = clock;
     }
-    // Without ticks velocities become old unnoticed, so after a gap only newer ones count. A slow simulation takes them
-    // all the same.
+    // Without ticks, waiting velocities become too old. So after a gap they are dropped, except in a simulation whose
+    // gap only means that it is slow.
     const bool waited = std::exchange(turns_, 0) > 1 || system_.settings().real_time;
     const bool stood = clock - std::exchange(received_at_, clock) > silence + 2 / system_.settings().rate && waited;
     for (Taken& taken : subscriptions_) {
@@ -170,7 +170,7 @@ bool RosNode::commands_robots(const Given& given) const {
            });
 }
 
-// A ROS robot may continue forever with the last velocity that it got.
+// Sends velocity 0 if no new velocity came: a ROS robot may drive forever with the last velocity that it received.
 void RosNode::between_ticks() {
     ++turns_;
     const double clock = settings_.clock();

@@ -18,7 +18,7 @@ namespace nezumi::dds {
 /// The settings of a node besides its topics.
 struct RosNodeSettings {
     std::function<double()> clock = monotonic_seconds;  ///< [s], monotonic
-    std::function<double()> wall_clock;                 ///< [s] since 1970: the time of ROS if robots are real
+    std::function<double()> wall_clock;                 ///< [s] since 1970: the time in ROS unless this is a simulation
 };
 
 class RosNode final : public Device {
@@ -28,13 +28,13 @@ public:
     static Expected<RosNode*> add(System& system, const RosSpec& spec, DdsTransport& transport,
                                   RosNodeSettings settings);
 
-    /// See `Network`: between two ticks; repeated only while time stands.
+    /// Called between two ticks, and repeatedly while time is stopped, as in `Network`.
     void between_ticks();
-    /// Called once before each tick: writes the messages received since the last tick, as acts of ROS. Does nothing
-    /// while it is not ACTIVE.
+    /// Called once before each tick: writes the messages received since the last tick, as acts of ROS. Drops them while
+    /// the node is not ACTIVE.
     void before_tick(const MessageDoor& deliver);
 
-    /// Received messages are written before the tick.
+    /// Empty, because `before_tick` has written the received messages.
     void sense(const Time& /*now*/) override {}
     void actuate(const Time& now) override;
 

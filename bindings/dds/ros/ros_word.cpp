@@ -1,4 +1,4 @@
-// Reads what a system publishes and subscribes, checks it, and writes it.
+// Reads, checks and writes `ros { ... }`.
 #include "bindings/dds/ros/ros_word.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace {
 
 // The error if this is not a topic name of ROS, or "" (ROS 2 design, "Topic and Service name mapping to DDS").
 std::string problem_of_topic(std::string_view topic) {
-    if (topic.size() < 2 || topic.front() != '/') return "expected a whole name as \"/odom\"";
+    if (topic.size() < 2 || topic.front() != '/') return "expected a full name such as \"/odom\"";
     bool begins = false;  // a token of the name begins
     for (const char c : topic) {
         const bool digit = c >= '0' && c <= '9';
@@ -30,7 +30,7 @@ std::string problem_of_topic(std::string_view topic) {
     return begins ? "expected no slash at the end" : "";
 }
 
-// Reads one entry of `publish` or `subscribe`: a text, or a table with more. `name` is the key of the entry.
+// Reads one entry of `publish` or `subscribe`: a string, or a table with more fields. `name` is the key of the entry.
 void read_topic(FieldCheck& check, const Value& value, const FieldPath& path, const std::string& name, bool publishes,
                 std::vector<RosTopic>& out) {
     RosTopic topic;
@@ -85,7 +85,7 @@ void use_environment(FieldCheck& check, std::int64_t& domain) {
     }
 }
 
-// Entries of `publish` or `subscribe`: a name or a table; a list for a port with several topics.
+// Writes `publish` or `subscribe` as Lua. Each entry is a name, a table, or a list if a port has several topics.
 std::string topics_text(std::string_view field, const std::vector<RosTopic>& all) {
     const bool publishes = field == "publish";
     std::map<std::string, std::vector<std::string>> by_name;

@@ -1,4 +1,4 @@
-// The word `ros` of system files: this system is a node of ROS 2.
+// `ros` in system files: makes this system a node of ROS 2.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ namespace dds {
 struct RosTopic {
     std::string port;  ///< "name.port"
     std::string topic;
-    std::string type{};   ///< as ROS names it; "": the first that there is for the port's type
-    std::string frame{};  ///< of its header; "": what fits its type
+    std::string type{};   ///< in ROS; "": the first possible type for the port's type
+    std::string frame{};  ///< `frame_id` of the header; "": the default of the type
     Place place{};
 };
 
@@ -49,7 +49,11 @@ struct Describe<dds::RosTopic> {
                 "",
                 "the message's type, for example \"geometry_msgs/msg/TwistStamped\"",
                 {.fallback = "the first for the port's type"}},
-        Setting{"frame", &dds::RosTopic::frame, "", "of the message's header", {.fallback = "what fits its type"}},
+        Setting{"frame",
+                &dds::RosTopic::frame,
+                "",
+                "the `frame_id` of the message's header",
+                {.fallback = "the type's default"}},
         Internal{&dds::RosTopic::place},
     };
 };

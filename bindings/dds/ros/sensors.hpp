@@ -13,7 +13,7 @@
 
 namespace nezumi::ros {
 
-/// As in Jazzy and later; in Humble `variance` is missing.
+/// The definition of ROS 2 Jazzy and later. The one of Humble has no `variance`.
 struct Range {
     Header header;                    ///< when and in which frame
     std::uint8_t radiation_type = 0;  ///< 0 ultrasound, 1 infrared

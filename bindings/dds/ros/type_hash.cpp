@@ -1,4 +1,4 @@
-// The JSON must be exactly what rosidl writes for SHA-256: ", " and ": ", types by name, no default values.
+// The JSON must be exactly what rosidl hashes: separators ", " and ": ", types sorted by name, no default values.
 #include "bindings/dds/ros/type_hash.hpp"
 
 #include <fmt/format.h>
@@ -14,11 +14,11 @@
 namespace nezumi::ros {
 namespace {
 
-// The descriptions of types as JSON, by name.
+// The fields of each type as JSON, by the type's name.
 using Descriptions = std::map<std::string_view, std::string>;
 
-// The `type_id`, capacities and nested name of type_description_interfaces/msg/FieldType: plus 48 for an array, 96 for
-// a sequence with a bound, 144 for one without.
+// The fields of type_description_interfaces/msg/FieldType. The id of an array is that of its element plus 48, of a
+// bounded sequence plus 96, of an unbounded one plus 144.
 struct FieldType {
     int id = 0;
     std::size_t capacity = 0;

@@ -1,4 +1,4 @@
-// ROS 2's identification of a message type: its name in DDS and the hash of its definition.
+// Computes how ROS 2 identifies a message type: the name in DDS, and the hash of the definition.
 #pragma once
 
 #include <string>

@@ -39,7 +39,7 @@ Expected<std::vector<BoxSpec>> SystemWords::read_map(const WordCall& call, const
     return std::move(map->boxes);
 }
 
-// The picture is beside the file that names it.
+// Reads a map of ROS. The picture is searched beside the YAML file that names it.
 Expected<std::vector<BoxSpec>> SystemWords::read_ros_map(const WordCall& call, const Value& value) {
     double height = occupancy_height;
     const Value* name = &value;
@@ -68,7 +68,8 @@ Expected<std::vector<BoxSpec>> SystemWords::read_ros_map(const WordCall& call, c
     return std::move(map->boxes);
 }
 
-// Values of the entry override those of the calibration.
+// Sets the parameters of a camera from a calibration file of ROS. Values of the system file override it, but width and
+// height must be equal.
 Expected<void> SystemWords::use_ros_calibration(const WordCall& call, const FieldCheck& check, ComponentEntry& entry) {
     const Place place = check.place_of({"calibration"});
     const auto refuse = [&](std::string_view why) {
@@ -85,8 +86,9 @@ Expected<void> SystemWords::use_ros_calibration(const WordCall& call, const Fiel
         if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(value)>>) {
             const auto [given, is_new] = entry.config.try_emplace(parameter, std::int64_t{value});
             if (!is_new && given->second != Value(std::int64_t{value}))
-                other = fmt::format("{} was calibrated with {} = {}: set it to that, or calibrate it again",
-                                    file->shown, parameter, value);
+                other =
+                    fmt::format("{} was calibrated with {} = {}: set it to this value, or calibrate the camera again",
+                                file->shown, parameter, value);
         } else {
             entry.config.try_emplace(parameter, value);
         }

@@ -12,7 +12,7 @@
 namespace nezumi {
 namespace {
 
-// The default height: the object stands on the floor.
+// The default z of an object (not a number) means that it stands on the floor.
 constexpr double on_the_floor = std::numeric_limits<double>::quiet_NaN();
 
 BoxSpec read_box(Fields& fields) {
@@ -87,7 +87,7 @@ LineSpec read_line(Fields& fields) {
     return line;
 }
 
-// What `maze` returns: the object, and what a system needs to know of it.
+// Whether a table is a result of `maze`: the object as its only element, and facts about the maze as fields.
 bool is_maze(const FileTable& table) {
     return table.elements.size() == 1 && table.elements.front().get_if<FileThing>() != nullptr;
 }
@@ -155,7 +155,7 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
     std::size_t number = 0;
     for (const Value& element : elements) {
         ++number;
-        // A list of objects may stand in place of its objects; so does a maze.
+        // A list of objects is allowed too, and places all of them. The result of `maze` is such a list.
         if (const FileTable* table = element.get_if<FileTable>();
             table != nullptr && (table->fields.empty() || is_maze(*table))) {
             if (auto ok = place_things(call, table->elements); !ok) return ok;

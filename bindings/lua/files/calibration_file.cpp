@@ -45,7 +45,7 @@ void read_cameras(Fields cameras, Calibration& out) {
                 if (camera.whole(field.name, pixels, least_picture, largest_picture))
                     value = static_cast<std::uint16_t>(pixels);
             } else {
-                // The fields of a rational model are optional.
+                // k4 to k6 are optional: only the rational model of distortion has them.
                 if (field.name < "k4" || field.name > "k6") camera.require(field.name, "a number");
                 camera.number(field.name, value, {.range = is_focal ? NumberRange::positive : NumberRange::any});
             }
@@ -112,7 +112,7 @@ Expected<void> use_cameras(SystemSpec& spec, const RobotEntry& robot, const Cali
         if (width != intrinsics.width || height != intrinsics.height)
             return failure(
                 fmt::format("camera '{}' was calibrated with {} x {} pixels, and here it has {} x {}: set its "
-                            "width and height to those, or calibrate it again with nezumi calibrate camera",
+                            "width and height to that size, or calibrate it again with nezumi calibrate camera",
                             camera->name, intrinsics.width, intrinsics.height, width, height),
                 camera->place);
         for_each_field(intrinsics, [&](const auto& field, const auto& value) {
@@ -184,7 +184,7 @@ Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Projec
     if (!calibration) return Unexpected(calibration.error());
     const auto of_another = [&](std::string_view what, std::string_view its, std::string_view ours) {
         return failure(
-            fmt::format("is the calibration of another robot: its {} is '{}', not '{}'. Calibrate this one, or "
+            fmt::format("is the calibration of another robot: its {} is '{}', not '{}'. Calibrate this robot, or "
                         "move the file away",
                         what, nezumi::shown(its), ours),
             {shown});

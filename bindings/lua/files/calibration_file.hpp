@@ -25,15 +25,15 @@ std::string write_calibration(const Calibration& calibration);
 /// Options for applying a calibration to a robot of a system.
 struct CalibrationUse {
     bool is_needed = false;  ///< a missing calibration is an error
-    /// Serial number of the computer that drives it: "" if it has none; nothing if no computer drives it.
+    /// Serial number of the computer that drives the robot: "" if this computer has none; nothing without a computer.
     std::optional<std::string> serial;
 };
 
-/// Applies its calibration to a robot, which gets its own description. Does nothing if there is no calibration and none
-/// is needed. Errors are those of the file, or say that it belongs to another robot.
+/// Gives a robot a separate description with the values of its calibration file. Does nothing if there is no such file
+/// and `use.is_needed` is false. Errors: those of the file, or the file belongs to another robot.
 Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Project& project, const CalibrationUse& use);
 
-/// Applies the calibration of each robot of the system with `calibrated = true`, which needs one.
+/// Applies the calibrations of all robots with `calibrated = true`. For these, a missing calibration is an error.
 Expected<void> use_asked_calibrations(SystemSpec& spec, const Project& project);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Reads the file of the robot again, with the changes of the system and the new ones.
+// Reads the robot file again, and applies the changes of the system file and the new ones.
 #include "bindings/lua/files/change_robot.hpp"
 
 #include <fmt/format.h>

@@ -30,10 +30,11 @@ struct DataFileOptions {
     Coverage* coverage = nullptr;                 ///< of required modules; may be null, must outlive the file
 };
 
-/// A message with text from a file, as one short line without control characters.
+/// Makes one short line without control characters of a message that may contain text from a file.
 std::string one_line(std::string text);
 
-/// The line of Lua code that called the running C function; no file if there is none. Raises no Lua error.
+/// The location in Lua code from which the running C function was called; without a file if there is none. Raises no
+/// Lua error.
 Place calling_place(lua_State* lua);
 
 class DataFile {
@@ -53,15 +54,16 @@ public:
     /// `project` must outlive this object.
     static Expected<std::unique_ptr<DataFile>> create(const Project& project, DataFileOptions options);
 
-    /// Runs a text with these globals and `require`, beside the sandbox's library. `shown` is its name in messages.
-    /// Afterwards its first result is on top of the stack. An error of `fail` comes before any other.
+    /// Runs the text of a file, which can use the sandbox's library, these globals and `require`. `shown` is the file's
+    /// name in messages. Afterwards the first result of the file is on top of the Lua stack. If `fail` was called, its
+    /// error is returned and no other one.
     Expected<void> run(std::string_view text, const std::string& shown, const std::vector<Global>& globals);
 
     /// All mistakes of a run that failed: one error for each unknown global, otherwise the first error.
     const std::vector<Error>& errors() const { return errors_; }
 
-    /// Stores the first error of one of these functions, with its location, and returns it for raising it in Lua. The
-    /// run has failed, even if the file catches the Lua error.
+    /// For an error in one of the global functions: stores the first such error, and returns `error` for raising it in
+    /// Lua. The run fails even if the file catches the Lua error.
     Error fail(Error error);
 
     /// The text of a file that was run or required; null for other files.
@@ -93,8 +95,8 @@ private:
     std::set<std::string> loading_;        // modules that are being loaded
     std::set<std::string> loaded_;         // modules whose results are in a table in the registry
     std::string module_;                   // the module that `find_module` found, as it is shown
-    Chunk chunk_;                          // its code
-    Coverage::Source* covered_ = nullptr;  // what gets the marks of the code
+    Chunk chunk_;                          // the code of `module_`
+    Coverage::Source* covered_ = nullptr;  // gets the coverage marks of `chunk_`
     std::unique_ptr<LuaState> state_;
 };
 

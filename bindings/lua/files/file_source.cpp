@@ -14,7 +14,7 @@ namespace {
 
 using Kind = SyntaxNode::Kind;
 
-// The value of a literal; nothing if it is not simple.
+// The value of a literal; nothing for strings with escapes or in long brackets, and for other tokens.
 std::optional<Value> value_of(const Token& token) {
     if (token.is("nil")) return Value{};
     if (token.is("true") || token.is("false")) return Value{token.is("true")};
@@ -52,7 +52,7 @@ std::vector<const SyntaxNode*> tables_of(const SyntaxNode& expression) {
     return tables;
 }
 
-// Whether a literal has this value; null: no value.
+// Whether a literal has this value. `value` is null if there is none, which equals the literal nil.
 bool gives(const Value& literal, const Value* value) {
     if (value == nullptr || literal.is_nothing()) return value == nullptr && literal.is_nothing();
     if (const auto number = number_of(literal)) return number_of(*value) == number;
@@ -87,7 +87,7 @@ struct FileSource::Node {
         return &node;
     }
 
-    // Whether a call of this text may have had these arguments.
+    // Whether this call in the text may be the one that had these arguments.
     bool may_be(const GivenTable& given) const {
         if (literal && !given.name.empty() && *literal->get_if<std::string>() != given.name) return false;
         return given.table == nullptr || may_give(given.table);
@@ -95,7 +95,7 @@ struct FileSource::Node {
 
 private:
     // Whether the text of a field may have this value: its literals are equal, and all fields of a table are there.
-    // Null: no value.
+    // `value` is null if the field has no value.
     bool may_give(const Value* value) const {
         if (literal && !is_table) return gives(*literal, value);
         if (!is_table) return true;

@@ -102,7 +102,7 @@ private:
     std::size_t parts_ = 0;
 };
 
-// Numbers, and tables of them.
+// Pushes a table that contains numbers and such tables.
 void push_facts(lua_State* lua, const FileTable& table) {
     const auto push = [lua](const Value& value) {
         if (const auto* inner = value.get_if<FileTable>()) {

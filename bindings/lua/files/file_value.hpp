@@ -1,4 +1,4 @@
-// Copies values out of Lua that a file passes to one of its words.
+// Copies the arguments that a Lua file passes to a word (a function such as `robot` or `arena`) out of Lua.
 #pragma once
 
 #include <lua.hpp>
@@ -10,11 +10,11 @@
 namespace nezumi {
 
 /// The value at `index`, or nothing for nil. Runs no metamethods and raises no Lua error. Nested tables may be 32
-/// levels deep, so a table that contains itself is an error. A value may have 1 000 000 parts.
+/// levels deep, so a table that contains itself is an error. More than 1 000 000 parts are an error.
 Expected<Value> read_file_value(lua_State* lua, int index);
 
-/// Pushes an object of the arena; `read_file_value` gives its number again. With facts it is a table of them, whose
-/// first element is the object. May raise a Lua error for want of memory.
+/// Pushes an object of the arena; `read_file_value` converts it back. If there are facts, pushes a table that has the
+/// facts as fields and the object as element 1. May raise a Lua error (memory).
 void push_file_thing(lua_State* lua, FileThing thing, const FileTable& facts);
 
 }  // namespace nezumi

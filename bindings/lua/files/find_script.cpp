@@ -18,7 +18,7 @@ namespace {
 // Words that only a system file contains; others, such as `map` or `rate`, may be mistakes in a behaviour.
 constexpr std::array<std::string_view, 5> naming_words{"arena", "robot", "behavior", "component", "connect"};
 
-// Whether a text is a system file, also through modules that it requires.
+// Whether a text is a system file. A text that only requires modules counts as one, because these may be the system.
 bool is_system(std::string_view text) {
     int of_systems = 0;
     int of_others = 0;

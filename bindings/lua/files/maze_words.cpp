@@ -46,7 +46,7 @@ Value list_of(const std::vector<int>& numbers) {
     return Value{std::move(list)};
 }
 
-// What a system can ask of a maze. Cells are counted from 1, as the behaviours in mazes do.
+// The facts about a maze that a system file can read. Cells are counted from 1, as the behaviours in mazes do.
 FileTable facts_of(const Maze& maze, const MazeSpec& spec) {
     const MazeCell start = maze.start();
     std::vector<int> goals;
@@ -114,7 +114,7 @@ Expected<FileThing> SystemWords::make_maze(const WordCall& call, const Value& va
     return FileThing{things_.size() - 1};
 }
 
-// The middle of an outer wall may be on the edge of the arena.
+// Refuses mazes that exceed the arena by more than the thickness of a wall: outer walls may stand on its edge.
 Expected<void> SystemWords::check_mazes() const {
     if (!spec_.arena.size) return {};
     const Point2D& size = *spec_.arena.size;

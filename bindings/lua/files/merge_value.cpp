@@ -75,7 +75,7 @@ Value merge(FieldCheck* check, const Value& base, const Value& changes, const Fi
             check->wrong(inner,
                          fmt::format("can't be removed: it does not exist{}", nearest_field(change.name, *from)));
         if (check != nullptr && before == nullptr && is_table_of_names(path) && !is_whole(path[0], change.value)) {
-            // A mistake in a name, unless no name is near; then the reader reports what a new one needs.
+            // If a name is near, this name is misspelt. Otherwise it is new, and the reader reports what is missing.
             if (const std::string near = nearest_field(change.name, *from); !near.empty()) check->unknown(inner, near);
         }
         // If the changes have both, the reader reports that they exclude each other.

@@ -20,7 +20,7 @@
 namespace nezumi {
 namespace {
 
-// Whether a text is names between this begin and this end, with `between` before the last one and slashes elsewhere.
+// Whether a text is `begin`, then names, then `end`. `between` is before the last name, a slash between the others.
 bool is_type_name(std::string_view text, std::string_view begin, std::string_view between, std::string_view end) {
     if (!text.starts_with(begin) || !text.ends_with(end) || text.size() < begin.size() + end.size()) return false;
     text = text.substr(begin.size(), text.size() - begin.size() - end.size());
@@ -34,7 +34,7 @@ bool is_type_name(std::string_view text, std::string_view begin, std::string_vie
     return is_identifier(text);
 }
 
-// Letters, digits and underscores: a keyword may be a field's name, of others' messages too.
+// Letters, digits and underscores. Keywords of Lua are allowed, because messages of other programs use them.
 bool is_field_name(std::string_view name) { return is_identifier(name) || is_keyword(name); }
 
 // "double[8]" is `double` in an array; also "Point2D[]".
@@ -129,7 +129,7 @@ private:
         return {};
     }
 
-    // The names for others, `ros = "my_msgs/msg/Obstacle"`, among the fields or in a table of their own.
+    // Reads the type names of ROS and OpenRTM, `ros = "my_msgs/msg/Obstacle"`: beside the fields or in a table.
     void read_foreign_names(Fields& fields, MessageDefinition& message) const {
         const auto read = [&](std::string_view word, std::string& name, auto is_right, std::string_view expected) {
             std::string given;

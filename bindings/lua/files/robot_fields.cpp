@@ -78,7 +78,7 @@ BodySpec read_body(Fields body) {
 DriveSpec read_drive(Fields drive) {
     DriveSpec spec;
     spec.skid = 0;
-    // Limits that the hardware does not set are those of the simulation.
+    // Limits of the hardware that the file does not set are the limits of the simulation.
     Fields limits = drive.inner("limits");
     read_record(limits, spec.limits, {.is_whole = false});
     limits.done();
@@ -104,7 +104,7 @@ PortSpec read_port(const std::string& name, Fields& port) {
     spec.name = name;
     spec.is_input = port.gives("to");
     if (port.gives("from") == spec.is_input) {
-        port.field("from");  // if both exist, neither is unknown
+        port.field("from");  // marks it as known: one error is enough if both exist
         port.check().wrong_at(
             port.path(),
             fmt::format(
@@ -118,7 +118,7 @@ PortSpec read_port(const std::string& name, Fields& port) {
     return spec;
 }
 
-// Adds the ports of every robot with wheels, unless the file has others for them.
+// Adds the usual ports of a robot with wheels, each unless the file has a port for the same data.
 void add_wheel_ports(RobotSpec& spec) {
     const auto add = [&](bool is_input, std::string_view item, const char* name, const char* type, const char* doc) {
         const bool has = std::any_of(spec.ports.begin(), spec.ports.end(), [&](const PortSpec& port) {
@@ -184,7 +184,7 @@ void check_hardware(FieldCheck& check, const RobotSpec& spec, const std::vector<
     }
 }
 
-// `line = serial { ... }`. `safe = false` says that the device only measures.
+// Reads `line = serial { ... }`. `safe = false` means that the device only measures.
 DeviceSpec read_device(const std::string& name, Fields& device) {
     DeviceSpec spec;
     spec.name = name;
@@ -233,9 +233,9 @@ void read_hardware(Fields hardware, RobotSpec& robot, const RobotFileHelp& help)
     hardware.done();
     if (spec.driver.empty() == spec.script.empty())
         check.explain(hardware.path_of(spec.driver.empty() ? "driver" : "script"),
-                      "expected either a driver of nezumi or a script, a behaviour that drives the robot");
+                      "expected either 'driver', a driver of nezumi, or 'script', a behaviour that drives the robot");
     if (spec.script.empty() && !(spec.devices.empty() && spec.device_model.empty()))
-        check.explain(hardware.path_of("devices"), "devices and device_model belong to a script");
+        check.explain(hardware.path_of("devices"), "'devices' and 'device_model' can be used only with 'script'");
     const auto find = [&](const char* field, const std::string& name, std::string& file) {
         if (name.empty() || !help.find_script) return;
         const auto found = help.find_script(hardware.path_of(field), name);
@@ -245,8 +245,8 @@ void read_hardware(Fields hardware, RobotSpec& robot, const RobotFileHelp& help)
     find("device_model", spec.device_model, spec.device_model_file);
 }
 
-// The robot itself knows which type a port can have. Each port is checked separately, so that each error has its
-// location.
+// Makes a robot to check its ports, because only `Robot` knows which type a port can have. Makes one for each port, so
+// that each error has the location of its port.
 void check_ports(FieldCheck& check, const RobotSpec& spec) {
     RobotSpec one = spec;
     for (SensorSpec& sensor : one.sensors) sensor.response = {};
@@ -261,7 +261,7 @@ void check_ports(FieldCheck& check, const RobotSpec& spec) {
 
 }  // namespace
 
-// Positions in robot files are relative to the chassis' centre; the body frame begins on the floor.
+// Positions in robot files are relative to the chassis' centre; the origin of the body frame is on the floor.
 Point3D on_body(const BodySpec& body, const Point3D& at) {
     return {body.at.x + at.x, body.at.y + at.y, body.at.z + at.z};
 }

@@ -12,15 +12,15 @@ namespace nezumi {
 
 /// Functions for parts of a description that are outside of its table.
 struct RobotFileHelp {
-    /// The points of the table in this file, which is searched beside the file that names it at this path.
+    /// Reads the points of a response table from `file`, which is searched beside the robot file that sets `path`.
     std::function<Expected<std::vector<ResponseTable::Point>>(const FieldPath& path, const std::string& file)>
         read_table;
-    /// The values that the function at this path of the table returns for these distances [m]. Infinite values are
-    /// accepted.
+    /// Calls the function at `path` of the robot file's table with each of these distances [m]. Returns the results,
+    /// which may be infinite.
     std::function<Expected<std::vector<double>>(const FieldPath& path, const std::vector<double>& distances)> call;
     /// The names of all drivers of real robots; empty: unknown, so every name is accepted.
     std::vector<std::string> drivers = {};
-    /// The file of the behaviour with this name, which is searched beside the file that names it at this path.
+    /// Finds the file of the behaviour `name`, which is searched beside the robot file that sets `path`.
     std::function<Expected<std::string>(const FieldPath& path, const std::string& name)> find_script = {};
 };
 

@@ -22,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The result of `robot_model { ... }`, which the file returns.
+// The address of this constant is the result of `robot_model { ... }`, which the file returns.
 const char model_mark = 0;
-// Key of the registry for its table.
+// The address of this constant is the key of the registry for the table of `robot_model`.
 const char fields_key = 0;
 
 const Value* value_at(const Value& value, const FieldPath& path) {
@@ -44,7 +44,7 @@ bool is_function_at(const Value& value, const FieldPath& path) {
 
 }  // namespace
 
-// One robot file, over the file that it builds on. Its Lua state is kept for its functions.
+// One robot file, and the layer of the file that it builds on. The Lua state is kept to call the file's functions.
 class RobotFile::Layer {
 public:
     // `above`: the files that build on this one, as the project shows them.
@@ -59,13 +59,13 @@ public:
         shown_ = shown;
         if (auto ran = file_->run(text, shown, globals()); !ran) return ran;
         if (!spec_ || lua_touserdata(file_->lua(), -1) != &model_mark)
-            return failure("a robot file ends with `return robot_model { ... }`", {shown});
+            return failure("a robot file must end with `return robot_model { ... }`", {shown});
         spec_->model = fs::path(shown).stem().string();
         if (spec_->place.file != shown) spec_->place = {shown};
         return {};
     }
 
-    // All mistakes of a run, if there are more than in its result.
+    // All mistakes of a run that failed; the result of the run has only the first one.
     std::vector<Error> errors() const { return file_ != nullptr ? file_->errors() : std::vector<Error>{}; }
     const RobotSpec& spec() const { return *spec_; }
 
@@ -87,7 +87,8 @@ public:
         const auto call_at = [&](const FieldPath& path,
                                  const std::vector<double>& distances) -> Expected<std::vector<double>> {
             if (is_function_at(changes, path))
-                return failure("a function must be in a robot file: write one with base = ..., or give a 'table'");
+                return failure(
+                    "only a robot file can have a function: write a robot file with base = ..., or give a 'table'");
             return call(path, distances);
         };
         RobotSpec spec =
@@ -111,7 +112,7 @@ private:
         return 1;
     }
 
-    // `serial { ... }`: the table itself, with its kind.
+    // Implements `serial { ... }` and the like: adds the field `kind` to the table, and returns the table.
     static int device(lua_State* lua) {
         const auto index = static_cast<std::size_t>(lua_tointeger(lua, lua_upvalueindex(2)));
         const std::string_view word = device_kinds()[index - 1].word;
@@ -134,7 +135,8 @@ private:
         const auto refuse = [&](const std::string& text) {
             return Unexpected(file_->fail({"robot_model: " + text, place}));
         };
-        if (spec_) return refuse(fmt::format("is called twice, first in line {}", spec_->place.line));
+        if (spec_)
+            return refuse(fmt::format("a file can have only one, and line {} has one already", spec_->place.line));
         if (const int count = Arguments{lua}.count(); count > 1)
             return refuse(fmt::format("expected one table, got {} arguments", count));
         auto value = read_file_value(lua, 1);
@@ -260,7 +262,7 @@ private:
     std::string shown_;
     std::unique_ptr<DataFile> file_;
     std::unique_ptr<Layer> base_;
-    Value own_, whole_;  // the table of the file, and this table over that of its base
+    Value own_, whole_;  // the table of the file, and its merge with that of the base
     std::optional<RobotSpec> spec_;
     std::vector<std::string> tables_;  // files that were read beside the robot file
 };

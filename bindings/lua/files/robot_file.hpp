@@ -14,8 +14,8 @@
 
 namespace nezumi {
 
-/// A robot file that was read, with the files that it builds on. It is kept for robots that differ from it: its
-/// functions are called again when their inputs change.
+/// A robot file that was read, with the files that it builds on. It is kept for robots with changes: its
+/// functions are called again if the changes affect their inputs.
 class RobotFile {
 public:
     /// `project` must outlive this object. Errors have file and line.
@@ -56,7 +56,7 @@ Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& sh
 Expected<RobotSpec> read_changed_robot(const std::filesystem::path& model, const std::string& changes,
                                        const Project& project, std::vector<std::string>* files = nullptr);
 
-/// Such changes as data. `shown` is the name in errors.
+/// Reads the text of such a table of changes. `shown` is the name of the text in errors.
 Expected<Value> read_changes(const std::string& changes, const std::string& shown, const Project& project);
 
 /// All mistakes of a robot file; empty if it can be read. For editors: one error for each unknown global, otherwise the

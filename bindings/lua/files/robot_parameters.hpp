@@ -16,7 +16,7 @@ Expected<Value> field_of_parameter(const RobotSpec& robot, const std::string& pa
 Expected<void> set_robot_parameter(SystemSpec& spec, const std::string& robot, const std::string& parameter,
                                    const Value& value, const Place& place, const Project& project);
 
-/// Sets the initial values to those of `from`, a robot of `saved`.
+/// Sets the initial values of the robot's parameters to those of `from`, a robot of the system `saved`.
 Expected<void> take_robot_parameters(SystemSpec& spec, const std::string& robot, const SystemSpec& saved,
                                      const RobotEntry& from, const Project& project);
 

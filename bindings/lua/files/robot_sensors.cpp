@@ -111,8 +111,9 @@ void read_scan(Fields& sensor, SensorSpec& spec) {
         sensor.check().wrong(sensor.path_of("cone"),
                              fmt::format("expected a field of view above 0 and up to 2 pi rad, got {}", spec.cone));
     if (spec.rays < 2)
-        sensor.check().wrong(sensor.path_of("rays"),
-                             fmt::format("expected 2 or more of a scan, got {}: a single ray is a 'range'", spec.rays));
+        sensor.check().wrong(
+            sensor.path_of("rays"),
+            fmt::format("expected 2 or more rays, got {}: for a single ray use kind = 'range'", spec.rays));
 }
 
 void read_range_sensor(Fields& sensor, SensorSpec& spec, const RobotFileHelp& help) {
@@ -127,7 +128,8 @@ void read_range_sensor(Fields& sensor, SensorSpec& spec, const RobotFileHelp& he
     if (!has_table && !has_function) {
         for (const std::string_view name : {"nothing", "min_value", "max_value"}) {
             if (sensor.has(name))
-                sensor.check().wrong(sensor.path_of(name), "is for a sensor with a 'table' or a 'response'");
+                sensor.check().wrong(sensor.path_of(name),
+                                     "can be used only for a sensor with a 'table' or a 'response'");
         }
         return;
     }
@@ -172,13 +174,13 @@ SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const Bod
     if (name == "velocity" || name == "odometry") {
         sensor.check().wrong_at(
             sensor.path(),
-            fmt::format("a sensor can't be called '{}': that name stands for a measurement of the wheels", name));
+            fmt::format("a sensor can't have the name '{}': it is reserved for a measurement of the wheels", name));
     }
     spec.at = on_body(body, spec.at);
     if (spec.kind == SensorSpec::Kind::range) read_range_sensor(sensor, spec, help);
     if (spec.kind == SensorSpec::Kind::scan) read_scan(sensor, spec);
     if (spec.kind == SensorSpec::Kind::neighbours && !spec.on.empty())
-        sensor.check().wrong(sensor.path_of("on"), "is not for neighbours: the hull carries that sensor");
+        sensor.check().wrong(sensor.path_of("on"), "can't be used for neighbours: that sensor is always on the hull");
     return spec;
 }
 

@@ -12,7 +12,7 @@
 namespace nezumi {
 namespace {
 
-// The fields of a robot file in the table of a robot of a system. Marks them as known.
+// Returns the fields of robot files that a robot's table in a system file has, and marks them as known.
 Value take_changes(Fields& fields) {
     FileTable changes;
     for (const Type::Field& field : record_of<RobotSpec>().fields) {
@@ -25,7 +25,7 @@ Value take_changes(Fields& fields) {
     return {std::move(changes)};
 }
 
-// A robot's parameters are fields of its description.
+// The hint for an unknown field `config`: the parameters of a robot are fields of its description.
 std::string hint_for_robot(std::string_view name) {
     if (name != "config") return "";
     return ": write fields of its description, as in actuators = { medium_motor = { speed = 2 } }";
@@ -57,7 +57,7 @@ Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::st
     return entry;
 }
 
-// Detects angles in degrees: more than five turns, and a round number.
+// Adds a note about an angle that is probably in degrees: from 30 to 360, and a multiple of 15.
 void SystemWords::note_degrees(const FieldCheck& check, const WordCall& call, std::string_view what,
                                std::string_view field, double radians) {
     const double size = std::abs(radians);
@@ -83,8 +83,8 @@ Expected<void> SystemWords::load_model(const WordCall& call, const std::string& 
     const auto known = spec_.models.find(model);
     if (known != spec_.models.end()) {
         if (known->second.place.file == file->shown) return {};
-        return failure(fmt::format("model '{}' would be {} here, and was {} before: use different names", model,
-                                   file->shown, known->second.place.file));
+        return failure(fmt::format("model '{}' is {} here, and {} for an earlier robot: rename one of these files",
+                                   model, file->shown, known->second.place.file));
     }
     const auto robot = robot_file(call, model);
     if (!robot) return Unexpected(robot.error());
@@ -105,7 +105,7 @@ Expected<RobotFile*> SystemWords::robot_file(const WordCall& call, const std::st
     return kept.get();
 }
 
-// Gives a robot its own description, which robots with the same changes share.
+// Gives a robot a description with its changes. Robots with the same model and changes share a description.
 Expected<void> SystemWords::describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry,
                                              const Value& changes) {
     const auto file = robot_file(call, entry.model);

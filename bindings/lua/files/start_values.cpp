@@ -67,7 +67,7 @@ Expected<void> set_parameter(SystemSpec& spec, Entry& entry, const std::string& 
         entry);
 }
 
-// `name` may contain * and ?; then all components with fitting names are set.
+// `name` may contain * and ?; then all components with matching names are set.
 Expected<void> set_one(const std::string& text, SystemSpec& spec, const Project& project) {
     const std::string option = "--set " + shown(text);
     const Place place{.file = option};

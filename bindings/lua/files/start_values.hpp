@@ -11,8 +11,8 @@
 
 namespace nezumi {
 
-/// Puts them into `spec`. `project` finds the files that are named. Values that a parameter refuses are reported by
-/// `build_system`, which names the option or the line of the file. `words`: as in `SystemFileOptions`.
+/// Puts `values` into `spec`. `project` finds the files that are named. Values that a parameter refuses are reported
+/// later by `build_system`, which names the option or the line of the file. `words`: as in `SystemFileOptions`.
 Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project, const PeerWords& words = {});
 
 /// The value of a text of the command line: 30, 0.3, true, "text", { 1, 2 } as in Lua; any other word is a text.

@@ -12,8 +12,8 @@
 
 namespace nezumi {
 
-/// Reads a system file and every file that it names, except scripts, which are only searched. Errors have file and
-/// line. Checks that need the components themselves (ports, parameters, overlaps) are done by `build_system`.
+/// Reads a system file and every file that it names, except scripts, which are found but not read. Errors have file
+/// and line. Checks that need the components themselves (ports, parameters, overlaps) are done by `build_system`.
 Expected<SystemSpec> read_system_file(const std::filesystem::path& path, const Project& project,
                                       const SystemFileOptions& options = {});
 

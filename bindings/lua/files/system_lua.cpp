@@ -74,7 +74,7 @@ Expected<Result> wire(WordHost& host, const WordCall& call, const Arguments& arg
     return nothing(host.words->connect(call, *from, *to));
 }
 
-// The single argument of all other words.
+// The argument of a word that takes exactly one.
 Expected<Value> only_argument(const WordCall& call, const Arguments& arguments) {
     auto value = value_of(arguments, 1);
     if (value && value->is_nothing()) return failure(fmt::format("{}: expected an argument, got none", call.word));
@@ -174,7 +174,7 @@ std::vector<SystemWord> system_words(const PeerWords& peers) {
          3,
          "(name, default, { min =, max =, doc = })",
          argument,
-         {"A value that `--set name=value` gives instead of the default.",
+         {"A value with a default, which `--set name=value` overrides.",
           {{"name", "string"}, {"default", "any"}, {"options", "table?"}}}},
         {"behavior", Form::entry, 2, named, entry},
         {"box", Form::thing, 1, table, thing},
@@ -213,7 +213,7 @@ std::vector<SystemWord> system_words(const PeerWords& peers) {
          1,
          "(number)",
          set<&Words::seed>,
-         {"Of everything random in the run.", {{"n", "integer"}}}},
+         {"The seed of everything random in the run.", {{"n", "integer"}}}},
         {"wall", Form::thing, 1, table, thing},
     };
     for (const PeerWord* peer : peers) words.push_back({peer->name(), Form::plain, 1, table, set<&Words::peer>});

@@ -42,13 +42,13 @@ struct SystemWord {
 
 /// "arena", "behavior", "box", ..., sorted: the words of every system, and those of these peers.
 std::vector<SystemWord> system_words(const PeerWords& peers = {});
-/// Their names, in the same order.
+/// The names of these words, in the same order.
 std::vector<std::string_view> system_word_names(const PeerWords& peers = {});
 
-/// The data of these functions. Must outlive their Lua state.
+/// The data that the functions of the words use. Must outlive their Lua state.
 struct WordHost {
     SystemWords* words = nullptr;
-    /// The functions' words, by their numbers. Those that describe peers must be among the words of `words`.
+    /// All words, by their numbers. Those that describe peers must be among the `PeerWords` of `words`.
     std::vector<SystemWord> all = system_words();
     /// The text of a file, for locations within a call; may be empty, and may return null.
     std::function<const FieldSource*(const std::string& shown)> source{};

@@ -23,7 +23,7 @@ std::string table_of(const T& entry) {
     return write_record(entry);
 }
 
-// A robot with the fields of a robot file that differ from its model.
+// The table of a robot, including the fields that differ from the robot's model.
 std::string table_of(const RobotEntry& entry) {
     std::string own = write_record(entry);
     if (entry.changes.empty()) return own;

@@ -115,7 +115,7 @@ Expected<std::size_t> SystemWords::begin_entry(const WordCall& call, const Value
 }
 
 Expected<void> SystemWords::complete_entry(std::size_t pending, const Value& fields) {
-    if (pending >= pending_.size()) return failure("this table belongs to a name of an earlier world");
+    if (pending >= pending_.size()) return failure("this table comes too late: its name was given to an earlier world");
     pending_[pending].complete = true;
     const PendingEntry call = pending_[pending];
     return entry(call.call, call.name, fields);

@@ -1,4 +1,4 @@
-// The words of a system file: each call adds data to a system, or returns an error.
+// The words of a system file (functions such as `robot`): each call adds data to a system, or returns an error.
 #pragma once
 
 #include <cstdint>
@@ -30,10 +30,10 @@ bool is_taken_name(std::string_view name);
 /// (rates, names); `build_system` checks what depends on the components (ports, parameters, overlaps).
 class SystemWords {
 public:
-    /// `words`: those that describe peers.
+    /// `words`: the words that describe peers. `start`: the system that the calls extend.
     explicit SystemWords(const Project& project, PeerWords words = {}, SystemSpec start = {});
 
-    /// `robot`, `behavior` and `component`.
+    /// Executes `robot`, `behavior` or `component`.
     Expected<void> entry(const WordCall& call, const std::string& name, const Value& fields);
     /// A name without its table: `robot "mouse"` before `{ ... }`. `finish` refuses names that got no table.
     Expected<std::size_t> begin_entry(const WordCall& call, const Value& name);
@@ -46,7 +46,7 @@ public:
     /// `box`, `wall`, `cylinder`, `marker`, `maze`, `floor`, `line`, `csv` and `map` make an object; `arena` adds it to
     /// the arena.
     Expected<FileThing> thing(const WordCall& call, const Value& fields);
-    /// What a file can ask of an object: of a maze its start, its goal and its size. Empty for others.
+    /// The facts about an object that a file can read: the start, goal and size of a maze. Empty for other objects.
     const FileTable& facts(FileThing thing) const { return things_[thing.index].facts; }
     Expected<void> arena(const WordCall& call, const Value& fields);
 

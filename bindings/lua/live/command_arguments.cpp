@@ -23,10 +23,10 @@ Expected<void> check_size(const PlainData& data, std::string_view command) {
     for (const PlainData::Table& table : data.tables) count += table.size();
     const std::size_t text = text_bytes(data);
     if (count > most_given)
-        return failure(fmt::format("command '{}' was given {} values: at most {}, so that no tick is late", command,
-                                   count, most_given));
+        return failure(fmt::format("command '{}' got {} values: at most {} are allowed, so that no tick is late",
+                                   command, count, most_given));
     if (text > most_text_given)
-        return failure(fmt::format("command '{}' was given {} bytes of text: at most {}, so that no tick is late",
+        return failure(fmt::format("command '{}' got {} bytes of text: at most {} are allowed, so that no tick is late",
                                    command, text, most_text_given));
     return {};
 }

@@ -18,7 +18,8 @@ Expected<Act> read_act(lua_State* L, const Objects& objects, const std::string& 
         if (lua_type(L, 2) != LUA_TSTRING) return failure(R"(use: expected the name of a set, as in :use "careful")");
         return Use{name, std::string(text_at(L, 2))};
     }
-    if (ObjectAccess::hardware(objects)) return failure(fmt::format("{}: this is a real robot", method));
+    if (ObjectAccess::hardware(objects))
+        return failure(fmt::format("{}: this works only in simulation, and this is a real robot", method));
     if (method == "teleport") {
         const auto pose = read_pose(L, 2);
         if (!pose) return Unexpected(pose.error());

@@ -63,7 +63,8 @@ Expected<void> check_offered(const System& system, std::string_view path) {
 namespace {
 
 int refuse_set_hosts(lua_State* L) {
-    return answer(L, objects_of(L), []() -> Expected<Answer> { return failure("other hosts can't be set"); });
+    return answer(L, objects_of(L),
+                  []() -> Expected<Answer> { return failure("the object hosts and its members can't be set"); });
 }
 
 int host_index(lua_State* L) {

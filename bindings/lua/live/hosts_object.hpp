@@ -14,18 +14,18 @@
 
 namespace nezumi {
 
-/// A system without a network has no other hosts.
+/// The other hosts; none if the system has no network.
 std::vector<Host> hosts_of(const System& system);
 /// The error names the nearest host.
 Expected<Host> find_host(const System& system, std::string_view name);
-/// Sorted.
+/// The names of the host's components, sorted.
 std::vector<std::string> component_names(const Host& host);
-/// The ports that "host/name" offers; their names are without this prefix.
+/// The ports that the component `path` ("host/name") offers; their names are without this prefix.
 std::vector<OfferedPort> ports_of(const System& system, std::string_view path);
 /// Checks that another host offers the port "host/name.port". The error names the nearest.
 Expected<void> check_offered(const System& system, std::string_view path);
 
-/// Asks another host, and waits for the answer while ticks go on, as long as the network does.
+/// Sends a question to another host, and waits for the answer while ticks go on. The network limits the waiting time.
 Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, const Question& question);
 
 struct ObjectRef;
@@ -41,13 +41,13 @@ std::optional<std::string> path_of_host(lua_State* L, int index, std::string_vie
 /// Pushes `hosts`. May raise a Lua error.
 void push_hosts(lua_State* L, Objects& objects, RunningSystem& live);
 
-// Candidates after a dot, or after a colon if `called`. The caller sorts them.
+// Candidates for completion. The caller sorts them.
 
-/// `hosts.`
+/// Candidates after `hosts.`: the names of the other hosts.
 std::vector<std::string> host_names(const System& system);
 /// The ports that other hosts offer, of this type if one is given: "ev3/vehicle.current_vel".
 std::vector<std::string> offered_ports(const System& system, bool in, bool out, std::string_view type = "");
-/// The type of one of these; "" if no host offers it.
+/// The type of the port "host/name.port"; "" if no host offers it.
 std::string offered_type(const System& system, std::string_view path);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Makes nested tables read-only, and writes the message about an assignment: what it was to, and what to do instead.
+// Makes nested tables read-only, and writes the message about an assignment: its target, and what to do instead.
 #include "bindings/lua/live/locked_copies.hpp"
 
 #include <fmt/format.h>

@@ -12,8 +12,8 @@ void open_locked_copies(lua_State* L);
 /// The structure of tables within a table: none, a flat tree, or anything that a user's script can make.
 enum class Within : unsigned char { nothing, tree, anything };
 
-/// Makes the table on top of the stack, and all tables in it, read-only. It is the value that the object at index 1 has
-/// for the key at index 2.
+/// Makes the table on top of the stack, and all tables in it, read-only. This table is the value that the object at
+/// index 1 has for the key at index 2.
 void lock_copies(lua_State* L, Within within);
 
 }  // namespace nezumi

@@ -56,7 +56,8 @@ std::string explain_key(const ObjectRef& ref) {
     }
 }
 
-// Pushes a component that the system at 1 has, the same object each time; returns false for anything else.
+// Pushes the component with the name at index 2 of the system at index 1, the same object each time. Returns false if
+// there is none.
 bool push_known_component(lua_State* L) {
     Objects& objects = objects_of(L);
     const ObjectRef& ref = *to_object(L, 1);

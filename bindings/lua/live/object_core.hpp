@@ -24,13 +24,13 @@ enum class ObjectKind : unsigned char {
     config,
     truth,
     hosts,
-    host,    ///< its component's name is the host's
-    remote,  ///< of another host: a component, "host/name", or what its "port" leads to: "config", "current_vel"
+    host,    ///< `component` is the name of the host
+    remote,  ///< `component` is "host/name" of another host; `port` is "", or a path in it: "config", "current_vel"
 };
 inline constexpr std::size_t object_kinds = 9;
 
-/// The begin of an object's userdata. It refers by name, so it survives reloads and restarts. The names follow it in
-/// the same block.
+/// The begin of an object's userdata. The object refers to things by name, so it survives reloads and restarts. The
+/// names follow this structure in the same block of memory.
 struct ObjectRef {
     Objects* objects;
     RunningSystem* built;         // null: the system is made later, and is then at `place`
@@ -95,13 +95,13 @@ struct ObjectAccess {
         });
         return got;
     }
-    /// Whether the system may be read here and now.
+    /// Whether the system may be read now without `visit`.
     static bool is_ready(const Objects& objects) {
         return !objects.visit_ && (!objects.prepare_ || objects.prepare_());
     }
-    /// Whether ticks go on meanwhile.
+    /// Whether ticks go on while Lua code runs.
     static bool ticks_beside(const Objects& objects) { return static_cast<bool>(objects.visit_); }
-    /// Without ticks meanwhile, everything may be copied.
+    /// The largest copy that a visit may make; without limit if it delays no tick.
     static PlainLimit snapshot_limit(const Objects& objects) {
         constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
         return objects.visit_ ? PlainLimit{} : PlainLimit{all, all};
@@ -137,7 +137,7 @@ inline Expected<Answer> answer_of(const Expected<ActResult>& done) {
 }
 
 /// Runs `find()`, which reads from Lua without raising errors and returns an `Expected<Answer>`. Then pushes the answer
-/// or raises the error, after all objects are destroyed. `find` reads the system only within `visit`.
+/// or raises the error, after all C++ objects are destroyed. `find` reads the system only within `visit`.
 template <class Find>
 int answer_beside(lua_State* L, Objects& objects, Find&& find, Tables tables = Tables::own) {
     bool failed = false;
@@ -159,7 +159,7 @@ int answer(lua_State* L, Objects& objects, Body&& body) {
     return answer_beside(L, objects, [&] { return ObjectAccess::visit(objects, body); });
 }
 
-/// Both for `__index`: the tables are read-only, because writing to them would have no effect.
+/// The two functions above for `__index`: their tables are read-only, because writing to them would have no effect.
 template <class Find>
 int look_beside(lua_State* L, Objects& objects, Find&& find) {
     return answer_beside(L, objects, find, Tables::locked);
@@ -176,9 +176,9 @@ inline std::string_view text_at(lua_State* L, int index) {
     return {text, length};
 }
 
-/// The node of the tree that an object means now.
+/// The node in the tree of names that an object refers to at present.
 Expected<TreeNode> node_of(const ObjectRef& ref);
-/// The component or port that an object means now.
+/// The component or port that an object refers to at present.
 Expected<ComponentAt> find_component(const ObjectRef& ref);
 Expected<PortAt> find_port(const ObjectRef& ref);
 

@@ -14,7 +14,7 @@
 namespace nezumi {
 namespace {
 
-// Their addresses are the keys of the metatables in the registry, and of the marks of each kind.
+// The addresses of these constants are keys: of the metatables in the registry, and of the marks of each kind.
 constexpr char metatable_keys[object_kinds] = {};
 constexpr char mark_key = 0;
 

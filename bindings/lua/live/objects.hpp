@@ -2,7 +2,7 @@
 //
 // `X` is a component, found by its name: it stays valid over reloads and restarts. If the component is gone, use is an
 // error.
-//   X.ports.NAME, X.NAME   a port; members below come before ports in X.NAME, not in X.ports.NAME
+//   X.ports.NAME, X.NAME   a port; X.NAME is a member (see below) if a member has the same name
 //   X.status, X:reset()    and all members in engine/tree/member.hpp, also of ports
 //   X:command(...)         runs in the component's Lua state; arguments and results are copies of plain data
 // Every failure raises an error with its message, in the console and in scenarios.
@@ -46,10 +46,10 @@ public:
     Objects(const Objects&) = delete;
     Objects& operator=(const Objects&) = delete;
 
-    /// Real robots: teleport, press and disturb are refused.
+    /// Sets that the robots are real: teleport, press and disturb are refused.
     void set_hardware(bool hardware) { hardware_ = hardware; }
-    /// Sets how reads and acts reach the system: `visit` lets the ticking thread do them, which return true, and
-    /// returns false if it was not done. Empty: they are done directly.
+    /// Sets how reads and acts reach the system: `visit(work)` lets the ticking thread run `work`, which returns true.
+    /// `visit` returns false if `work` did not run. Empty: reads and acts run directly.
     void set_visit(std::function<bool(const std::function<bool()>&)> visit) { visit_ = std::move(visit); }
     /// Called before each read and act; its error replaces the result.
     void set_prepare(std::function<Expected<void>()> prepare) { prepare_ = std::move(prepare); }

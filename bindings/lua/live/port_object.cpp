@@ -50,8 +50,8 @@ Expected<Act> read_act(lua_State* L, const PortToRead& port, std::string_view me
     return Hold{path, std::move(*payload), options.take};
 }
 
-// Two visits, because the value that is read between them may be a million numbers. `find()` gives the port, a
-// `PortToRead`.
+// Performs a method of a port in two visits: the value is read between them, because it may be a million numbers, which
+// would delay a tick. `find()` returns the `PortToRead`.
 template <class Find>
 Expected<Answer> act(lua_State* L, const Objects& objects, std::string_view method, int value, Find&& find) {
     Expected<PortToRead> port;

@@ -69,7 +69,7 @@ int call_method(lua_State* L) {
         const auto* method =
             std::find_if(methods.begin(), methods.end(), [&](const Method& each) { return each.name == name; });
         if (!ref.port().empty() || (method == methods.end() && find_member(component_members(), name) != nullptr))
-            return failure(fmt::format("{}:{}: only its own host can do that", full_path(ref), name));
+            return failure(fmt::format("{}:{}: this can be done only on its own host", full_path(ref), name));
         Question question = question_of(ref, What::command, name);
         if (method == methods.end()) {
             auto arguments = read_arguments(L, name);
@@ -160,7 +160,7 @@ int remote_pairs(lua_State* L) {
         });
     Objects& objects = objects_of(L);
     lua_settop(L, 1);
-    lua_pushnil(L);  // it is all of the object
+    lua_pushnil(L);  // no key: the value is the whole object
     look_beside(L, objects, [&]() -> Expected<Answer> {
         if (ref.port().empty()) return failure("a component can't be traversed; its parameters can: pairs(X.config)");
         auto look = look_at(objects, ref);
@@ -179,7 +179,7 @@ int remote_tostring(lua_State* L) {
         const ObjectRef& ref = *to_object(L, 1);
         const auto text = text_of_host(objects, ref, What::show);
         if (!text) return Answer{Value{fmt::format("{}: {}", full_path(ref), text.error().message)}};
-        // A component and a port are called by their names there.
+        // The text about a component or a port begins with its name: the name of the host is put before it.
         const bool is_named = ref.port() != "config" && ref.port() != "ports" && ref.port() != "truth";
         return Answer{Value{is_named ? fmt::format("{}/{}", host_of(ref.component()), *text) : *text}};
     });
@@ -191,7 +191,7 @@ Expected<std::string> text_of_host(const Objects& objects, const ObjectRef& ref,
     const auto answer = ask_host(objects, *ref.live(), question_of(ref, what));
     if (!answer) return Unexpected(answer.error());
     const auto* text = answer->values.size() == 1 ? answer->values[0].get_if<std::string>() : nullptr;
-    return text != nullptr ? Expected<std::string>(visible(*text)) : failure("malformed text");
+    return text != nullptr ? Expected<std::string>(visible(*text)) : failure("malformed answer: expected a text");
 }
 
 Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, const Question& question) {
@@ -215,7 +215,8 @@ Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, 
     while (!got) {
         if (auto done = ObjectAccess::visit(objects, turn); !done) return Unexpected(done.error());
         if (got) break;
-        if (!ObjectAccess::ticks_beside(objects)) return failure("no answer can come, because no ticks pass meanwhile");
+        if (!ObjectAccess::ticks_beside(objects))
+            return failure("other hosts can't be asked here: no ticks pass, so no answer can come");
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return std::move(*got);

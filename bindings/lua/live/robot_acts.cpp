@@ -106,7 +106,7 @@ Expected<TeleportOf> read_teleport(const Objects& objects, RunningSystem& curren
         if (!place) return Unexpected(place.error());
         return TeleportOf{robot->live, Teleport{robot->component->name(), *place}};
     }
-    // It is not a robot: an object, a marker, or a name that is nearly that of a marker.
+    // The name is not that of a robot: it may be an object, a marker, or nearly the name of a marker.
     const std::string name(lua_type(L, thing) == LUA_TSTRING ? lua_tostring(L, thing) : "");
     const std::vector<std::string> things = thing_names(current.system());
     if (contains(things, name)) {

@@ -18,7 +18,7 @@ namespace nezumi {
 /// A pose, `{ x =, y =, heading = }` or `{ position = { x =, y = }, heading = }`; omitted fields are 0. Raises no Lua
 /// error.
 Expected<Pose2D> read_pose(lua_State* L, int index);
-/// Velocities to force on a robot, `{ vx =, vy =, va = }`; omitted ones stay free. One of
+/// Velocities to force on a robot, `{ vx =, vy =, va = }`; omitted ones stay free. `kind` is one of
 /// `Describe<VelocityConstraint>::kinds`. Raises no Lua error.
 Expected<VelocityConstraint> read_velocity_constraint(lua_State* L, int index,
                                                       unsigned kind = Describe<VelocityConstraint>::at_once);

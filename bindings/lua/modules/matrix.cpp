@@ -1,5 +1,5 @@
-// Operations of matrices. Eigen works on copies of fixed size on the stack, which need no destructors if a Lua error
-// occurs.
+// Operations of matrices. Eigen works on the C++ stack, in copies that need no destructor, because a Lua error would
+// skip it.
 #include "bindings/lua/modules/matrix.hpp"
 
 #include <Eigen/Cholesky>
@@ -43,12 +43,12 @@ int identity(lua_State* L) {
     return 1;
 }
 
-// Replaces a read-only table, such as those of `config`, by the table behind it.
+// Replaces a read-only table at `index`, such as an array of `config`, by the table from which it reads.
 void unlock(lua_State* L, int index) {
     if (push_behind_lock(L, index)) lua_replace(L, index);
 }
 
-// The length of the table at `index`.
+// The length of the table at `index`. Raises an error unless it is 1 to `most_matrix_rows`.
 int length_at(lua_State* L, int index, const char* what) {
     const auto length = lua_rawlen(L, index);
     if (length < 1 || length > most_matrix_rows)
@@ -79,7 +79,8 @@ int make(lua_State* L) {
             made = &push_matrix(L, rows, columns);
             lua_insert(L, 3);
         } else if (length != columns) {
-            return luaL_error(L, "matrix: row 1 has %d columns, row %d has %d", columns, i, length);
+            return luaL_error(L, "matrix: all rows must have the same length: row 1 has %d columns, row %d has %d",
+                              columns, i, length);
         }
         lua_settop(L, 4);
         for (int j = 1; j <= columns; ++j) {
@@ -137,8 +138,9 @@ int multiply(lua_State* L) {
     if (left == nullptr) return scale(L, *right, 1, "*");
     if (right == nullptr) return scale(L, *left, 2, "*");
     if (left->columns != right->rows)
-        return luaL_error(L, "%d x %d * %d x %d: the left one needs as many columns as the right one has rows",
-                          left->rows, left->columns, right->rows, right->columns);
+        return luaL_error(
+            L, "%d x %d * %d x %d: the columns of the left one and the rows of the right one must be equal in number",
+            left->rows, left->columns, right->rows, right->columns);
     MatrixObject& result = push_matrix(L, left->rows, right->columns);
     result.all() = left->all().lazyProduct(right->all());
     return checked(L, result, "*");
@@ -193,7 +195,7 @@ bool cholesky_into(MatrixElements to, const Work& matrix) {
 }
 
 int cholesky(lua_State* L) {
-    constexpr double tolerance = 1e-9;  // largest asymmetry from rounding, relative to the largest element
+    constexpr double tolerance = 1e-9;  // largest allowed asymmetry, from rounding, relative to the largest element
     MatrixObject& self = square_matrix_self(L, "cholesky");
     const double largest = self.all().cwiseAbs().maxCoeff();
     if ((self.all() - self.all().transpose()).cwiseAbs().maxCoeff() > tolerance * largest)

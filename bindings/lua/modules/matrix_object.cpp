@@ -1,4 +1,4 @@
-// Functions of all matrices in Lua: elements, rows as `m[i]`, texts and tables.
+// Matrices as seen by Lua: elements, rows as `m[i]`, conversion to text and to tables.
 #include "bindings/lua/modules/matrix_object.hpp"
 
 #include <fmt/format.h>
@@ -14,17 +14,17 @@
 namespace nezumi {
 namespace {
 
-// The row `m[i]`; its user value is the matrix.
+// The row `m[i]`. Its user value is the matrix, which so exists as long as the row.
 struct Row {
     MatrixObject* matrix;
     int index;
 };
 
-// Their addresses are keys of the registry.
+// The addresses of these variables are keys of the registry.
 constexpr char matrix_key = 0;
 constexpr char row_key = 0;
 
-// A userdata with the metatable of this key, or null.
+// The userdata at `index`, if its metatable is the one that the registry has for `key`; else null.
 template <class T>
 T* object_at(lua_State* L, int index, const char* key) {
     if (lua_type(L, index) != LUA_TUSERDATA || lua_getmetatable(L, index) == 0) return nullptr;
@@ -95,12 +95,13 @@ int row_to_text(lua_State* L) {
 
 // Elements
 
-// The index of an access, counted from 0; raises an error unless it is 1 to `count`.
+// Converts the Lua index at `index` to an index from 0. Raises an error unless the Lua index is 1 to `count`.
 int index_at(lua_State* L, int index, const MatrixObject& matrix, const char* what, int count) {
     int is_whole = 0;
     const lua_Integer number = lua_type(L, index) == LUA_TNUMBER ? lua_tointegerx(L, index, &is_whole) : 0;
     if (is_whole == 0 || number < 1 || number > count)
-        luaL_error(L, "%s %s of a matrix of %d x %d", what, push_text(L, index), matrix.rows, matrix.columns);
+        luaL_error(L, "there is no %s %s in a matrix of %d x %d", what, push_text(L, index), matrix.rows,
+                   matrix.columns);
     return static_cast<int>(number - 1);
 }
 
@@ -131,7 +132,7 @@ int index_matrix(lua_State* L) {
     });
 }
 
-int set_row(lua_State* L) { return luaL_error(L, "set single elements of a matrix: m[i][j] = value"); }
+int set_row(lua_State* L) { return luaL_error(L, "only single elements of a matrix can be set: m[i][j] = value"); }
 
 int index_row(lua_State* L) {
     const Row& row = *object_at<Row>(L, 1, &row_key);
@@ -146,7 +147,7 @@ int set_element(lua_State* L) {
     return 0;
 }
 
-// Fields of both metatables, which scripts can't see.
+// Completes a metatable of matrices or rows, which scripts can't see, and stores it in the registry.
 void set_metatable(lua_State* L, const char* key, const char* name) {
     lua_pushstring(L, name);
     lua_setfield(L, -2, "__name");

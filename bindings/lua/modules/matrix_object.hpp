@@ -34,7 +34,7 @@ double element_at(lua_State* L, int index, int row, int column);
 /// Pushes a matrix whose elements must then be set.
 MatrixObject& push_matrix(lua_State* L, int rows, int columns);
 
-/// Makes the shared metatables of matrices, once for each state: elements, rows, texts, these methods and operators.
+/// Makes the metatables of matrices and of their rows, with these methods and operators. Call this once for each state.
 void make_matrix_metatables(lua_State* L, const luaL_Reg* methods, const luaL_Reg* operators);
 
 }  // namespace nezumi

@@ -76,7 +76,7 @@ public:
     }
 
     std::unique_ptr<Behaviors> behaviors(Budget budget) const override {
-        // Marks take at most twice the time of the script itself.
+        // Coverage marks take at most twice the time of the script itself, which the budget must allow for.
         if (coverage_ != nullptr) budget.seconds *= 3;
         return std::make_unique<LuaBehaviors>(budget, coverage_);
     }

@@ -8,7 +8,7 @@
 
 namespace nezumi {
 
-/// For `LiveOptions::scripts`.
+/// The host for scripts in Lua, for `LiveOptions::scripts`.
 const ScriptHost& lua_scripts();
 /// Scripts that note in `coverage` which of their lines run. `coverage` must outlive the systems.
 std::unique_ptr<ScriptHost> covered_scripts(Coverage& coverage);

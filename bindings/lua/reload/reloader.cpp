@@ -34,7 +34,7 @@ std::string list_of(const std::vector<std::string>& names) {
     return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + shown, ", "), names.size() - shown);
 }
 
-// The robot that this behaviour drives and that does not stand; null if there is none.
+// The robot that this behaviour drives, if the robot is moving; otherwise null.
 const Robot* robot_that_it_moves(const System& system, const Component& component) {
     for (const Robot* robot : system.robots()) {
         const ScriptedBody* body = robot->scripted_body();
@@ -83,7 +83,7 @@ struct Reloader::Prepared final : PreparedReload {
     ChunkCache chunks;  // code of `scripts`
     std::vector<Next> next;
     std::vector<std::unique_ptr<Script>> scripts;  // in the order of `next`
-    std::vector<ScriptFile> required;              // by the last of them
+    std::vector<ScriptFile> required;              // modules that the last of `scripts` requires
     std::optional<Error> error;
 
     // Loads the behaviours of these files, or without files the one of `source`.
@@ -215,7 +215,7 @@ void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::V
         const std::string path = component.name() + "." + port->name();
         const bool in = port->direction() == Direction::in;
         for (System::Dropped& dropped : system_.disconnect_all(*port)) lost_.push_back(std::move(dropped));
-        // Also those that went with the port at their other end.
+        // Includes the connections that this reload has already removed together with the port at their other end.
         std::vector<std::string> peers;
         for (std::size_t i = first_lost; i < lost_.size(); ++i) {
             if ((in ? lost_[i].to : lost_[i].from) == path) peers.push_back(in ? lost_[i].from : lost_[i].to);

@@ -1,5 +1,5 @@
-// A dump is read and written function by function. Before each division that may be by zero comes an instruction that
-// notes its place and does nothing else; jumps and lines follow the moved instructions.
+// Rewrites a dump function by function. Before each division that may be by zero, inserts an instruction whose only
+// effect is that Lua notes its place. Jumps and line numbers are adapted to the moved instructions.
 #include "bindings/lua/sandbox/bytecode.hpp"
 
 #include <cstddef>
@@ -15,7 +15,8 @@
 namespace nezumi {
 namespace {
 
-// Of Lua 5.4.4: lopcodes.h, ldebug.h, lobject.h, ldump.c. Later versions note the place themselves.
+// The numbers below are those of Lua 5.4.4 (lopcodes.h, ldebug.h, lobject.h, ldump.c). Later versions of Lua note the
+// place of a division, so their code stays as it is.
 constexpr bool forgets_places = LUA_VERSION_RELEASE_NUM == 50404;
 using Instruction = std::uint32_t;
 enum Operation : Instruction {
@@ -30,10 +31,10 @@ enum Operation : Instruction {
     op_generic_prepare = 75,
     op_generic_loop = 77,
 };
-constexpr int loop_bits = 15;  // where the distance of a loop begins
-constexpr int jump_bits = 7;   // where that of a jump begins
+constexpr int loop_bits = 15;  // the first bit of the distance in a loop instruction
+constexpr int jump_bits = 7;   // the same in a jump
 constexpr std::int64_t most_of_loop = (std::int64_t{1} << 17) - 1;
-constexpr std::int64_t no_jump = (std::int64_t{1} << 24) - 1;  // the field of a jump over nothing
+constexpr std::int64_t no_jump = (std::int64_t{1} << 24) - 1;  // the field of a jump to the next instruction
 constexpr int line_is_absolute = -0x80;
 constexpr int most_without_absolute = 128;
 constexpr std::size_t header_size = 4 + 1 + 1 + 6 + 3 + 8 + 8 + 1;
@@ -43,7 +44,7 @@ class Rewriter {
 public:
     explicit Rewriter(std::string_view dump) : rest_(dump) {}
 
-    // False: these are other bytes than lua_dump writes.
+    // Returns false if the bytes are not a dump of lua_dump.
     bool run() {
         copy(header_size);
         function();
@@ -54,7 +55,7 @@ public:
 
 private:
     struct Moved {
-        std::vector<std::size_t> begin{};  // where each instruction is, or the one before it that was put in; the end
+        std::vector<std::size_t> begin{};  // new index of each instruction, or of one inserted before it; the end
         std::size_t length = 0;
     };
 
@@ -153,7 +154,7 @@ private:
         }
     }
 
-    // Where an instruction goes on, if that is not the next one.
+    // The index of the instruction to which this one jumps; without a jump, of the next one.
     static std::size_t target(Instruction instruction, std::size_t at) {
         const std::size_t distance = instruction >> loop_bits;
         switch (instruction & 0x7FU) {
@@ -171,7 +172,7 @@ private:
     Instruction aimed(Instruction instruction, std::size_t at, std::size_t target) {
         const std::int64_t ahead = static_cast<std::int64_t>(target) - static_cast<std::int64_t>(at) - 1;
         const auto with = [&](std::int64_t field, int bits, std::int64_t most) {
-            ok_ = ok_ && field >= 0 && field <= most;  // a function of more than 100 000 instructions
+            ok_ = ok_ && field >= 0 && field <= most;  // false for more than 100 000 instructions
             return (instruction & ((1U << bits) - 1U)) | static_cast<Instruction>(field) << bits;
         };
         switch (instruction & 0x7FU) {
@@ -185,7 +186,7 @@ private:
     }
 
     Moved write_code(const std::vector<Instruction>& code, const std::vector<bool>& is_zero, unsigned char slots) {
-        // Closes the variables from behind the last one on: there are none. It is one of those that note their place.
+        // Closes the variables above the last slot, so none. Lua notes the place of this instruction.
         const Instruction note = op_close | Instruction{slots} << 7;
         Moved moved;
         for (const Instruction instruction : code) {

@@ -1,4 +1,5 @@
-// Reads what lua_dump writes: the lines of functions; and makes the line of a division by zero certain.
+// Reads and rewrites bytecode of lua_dump: finds the lines of functions, and corrects the line in the error of a
+// division by zero.
 #pragma once
 
 #include <set>
@@ -6,12 +7,14 @@
 
 namespace nezumi {
 
-/// Bytecode that does the same as this, of lua_dump, in which an integer `//` or `%` by zero names its own line. Lua
-/// 5.4.4 notes the place of an instruction only where one may fail, and forgot these. So their message would name the
-/// line of the last one that was noted: another one while a hook looks at the script, which notes each.
+/// Returns equivalent bytecode in which the error of an integer `//` or `%` by zero has the correct line. Lua 5.4.4
+/// notes the place of instructions that may fail, but not of these. So the error would have the line of the last
+/// instruction whose place was noted, and another line while a hook is set, because then the place of every instruction
+/// is noted.
 std::string with_division_lines(std::string bytecode);
 
-/// The lines that may run when a function in this bytecode is called, without those that run only when it is loaded.
+/// The lines of all functions in this bytecode, without the lines of the main function, which run when the file is
+/// loaded.
 std::set<int> lines_of_functions(const std::string& bytecode);
 
 }  // namespace nezumi

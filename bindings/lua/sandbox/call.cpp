@@ -22,7 +22,7 @@ constexpr std::size_t longest_message = 2000;  // [bytes]
 constexpr int searched_levels = 100;
 constexpr int deep_recursion = 20'000;  // number of nested calls
 
-// The length of "file:line: " at the start of `message`, where Lua has shortened `file`.
+// The length of "file:line: " at the start of `message`, or 0. `file` is the name as Lua shortens it in messages.
 std::size_t prefix_length(const char* message, const char* file, int& line) {
     const std::size_t name = std::strlen(file);
     if (std::strncmp(message, file, name) != 0 || message[name] != ':') return 0;
@@ -36,8 +36,8 @@ std::size_t prefix_length(const char* message, const char* file, int& line) {
     return end + 2;
 }
 
-// The location that the message names, if it is a location of a running function or of one that was closed; otherwise
-// the innermost line of Lua.
+// Finds the location of an error: the one that the message names, if it is in a file of a running function or of a
+// closed coroutine; otherwise the innermost line of Lua.
 void find_error_place(lua_State* lua, CallRecord& call) {
     call.error_place.line = 0;
     call.error_prefix = 0;
@@ -61,7 +61,7 @@ void find_error_place(lua_State* lua, CallRecord& call) {
     call.error_place.line = line;
 }
 
-// The deepest existing level of the stack.
+// The level of the outermost function on the stack.
 int last_level(lua_State* lua) {
     lua_Debug activation;
     int below = 1;
@@ -113,7 +113,7 @@ void find_tail_caller(lua_State* lua, CallRecord& call) {
         if (is_found) break;
     }
     if (!is_found || lua_getinfo(lua, "t", &activation) == 0 || activation.istailcall == 0) return;
-    // `call_first` has stored it.
+    // `call_first` keeps the called function as a local value.
     if (lua_getstack(lua, level + 1, &activation) == 0 || lua_checkstack(lua, 2) == 0) return;
     if (lua_getlocal(lua, &activation, 1) == nullptr) return;
     if (lua_type(lua, -1) != LUA_TFUNCTION || lua_iscfunction(lua, -1) != 0) return lua_pop(lua, 1);
@@ -124,7 +124,8 @@ void find_tail_caller(lua_State* lua, CallRecord& call) {
     call.tail_caller_end = activation.lastlinedefined;
 }
 
-// Stores the facts about an error on top of the stack of `lua`, a failed coroutine, whose stack is as it was then.
+// Stores the location and the frames of the error on top of the stack of `lua`, a failed coroutine. The stack still has
+// the functions that were running.
 void note_error(lua_State* lua, CallRecord& call) {
     lua_Debug activation;
     call.is_deep_recursion = lua_getstack(lua, deep_recursion, &activation) != 0;
@@ -146,8 +147,8 @@ Place to_place(const CallRecord::ScriptPlace& place) {
     return {place.file, place.line};
 }
 
-// The fields of the table on top of the stack, in one line. Nothing for one that can't be shown, or while another is
-// shown, whose metamethods may raise tables again.
+// The fields of the table on top of the stack, in one line; "" if it can't be shown. Also "" while another table is
+// being shown, because metamethods of that table may raise tables in turn.
 std::string shown_fields(lua_State* lua) {
     static thread_local bool is_showing = false;
     if (std::exchange(is_showing, true)) return "";
@@ -193,9 +194,9 @@ CallError error_of_memory(const LuaState& state, bool is_refused, const CallReco
     return {{message, to_place(call.error_place)}, false};
 }
 
-// Closes the variables of a failed call. An error of closing replaces the error on top of its stack.
+// Closes the variables of a failed call. An error of closing replaces the error on top of the stack of `thread`.
 void close_thread(lua_State* from, lua_State* thread, CallRecord& call) {
-    if (lua_status(thread) == LUA_OK) return;  // it did not begin
+    if (lua_status(thread) == LUA_OK) return;  // the call has not begun
     const void* const raised = lua_topointer(thread, -1);
     note_closed(thread);
     close_coroutine(thread, from);
@@ -211,7 +212,7 @@ int convert_to_text(lua_State* lua) {
 }
 
 // Leaves the text of an error value on top of the stack, if it has one. Returns the status of the last failed call; if
-// the conversion fails, this is another error.
+// the conversion fails, this is the status of the conversion.
 int convert_error(lua_State* from, lua_State* thread, int status, CallRecord& call) {
     if (status != LUA_ERRRUN || lua_type(thread, -1) == LUA_TSTRING || lua_checkstack(thread, 2) == 0) return status;
     lua_pushvalue(thread, -1);
@@ -230,8 +231,8 @@ int convert_error(lua_State* from, lua_State* thread, int status, CallRecord& ca
     return converted;
 }
 
-// Calls its first argument with the others. Calls from C can't yield; so a script's pcall is left when it has failed,
-// as outside of coroutines, and does not remain on the stack.
+// Calls its first argument with the others. Code within this call from C can't yield, so Lua treats a script's pcall as
+// outside of coroutines: when it has failed, it does not remain on the stack.
 int call_first(lua_State* lua) {
     lua_pushvalue(lua, 1);
     lua_insert(lua, 1);  // stays on the stack, for the search of the caller
@@ -239,7 +240,8 @@ int call_first(lua_State* lua) {
     return lua_gettop(lua) - 1;
 }
 
-// The error of `thread`, which is empty afterwards. If it was stopped, nothing may run in it any more.
+// The error of `thread`, whose stack is empty afterwards. If the time limit has stopped it, no code may run in it any
+// more, so it is left as it is.
 CallError take_error(lua_State* from, lua_State* thread, int status, bool is_memory_refused, CallRecord& call) {
     const LuaState& state = LuaState::of(thread);
     if (call.expired != 0) {
@@ -260,7 +262,7 @@ CallError take_error(lua_State* from, lua_State* thread, int status, bool is_mem
     } else if (status == LUA_ERRMEM || call.slice_status == LUA_ERRMEM) {
         error = error_of_memory(state, is_memory_refused, call);
     } else {
-        // If the error could not be handled, it is not the message whose location was found.
+        // With LUA_ERRERR, the value is not the message whose location was found.
         error = {{describe_value(thread, status == LUA_ERRERR ? 0 : call.error_prefix), to_place(call.error_place)},
                  false};
         if (call.error_caller.line != 0 && lua_type(thread, -1) == LUA_TSTRING)
@@ -318,7 +320,9 @@ CallResult protected_call(lua_State* lua, int arguments, int results, Budget bud
     if (state.is_lost()) return refuse("the script is lost: it had to be stopped inside Lua itself; load it again");
     if (lua_checkstack(lua, 2) == 0 || c_stack_is_used_up()) return refuse("stack overflow: calls are nested too deep");
     if (!watch_this_thread())
-        return refuse("scripts can't be stopped here: the system gives this thread neither a timer nor another thread");
+        return refuse(
+            "scripts can't run in this thread, because they could not be stopped: the system gives it neither a timer "
+            "nor a second thread");
     const std::uint64_t refusals = state.memory_refusals();
     lua_State* const thread = state.take_thread(lua, arguments + 2);
     if (thread == nullptr) return refuse("not enough memory");
@@ -347,11 +351,11 @@ CallResult protected_call(lua_State* lua, int arguments, int results, Budget bud
         error = CallError{{"stack overflow: too many results"}, false};
     }
     call.can_escape = false;
-    call.running = lua;  // from here on there is nothing to interrupt
+    call.running = lua;  // the call is over, so the timer must not interrupt its coroutine
     if (status != LUA_OK && call.expired != 0) poison(thread);
     state.give_back_thread(lua, thread);
     if (!error) return {};
-    // The memory of the script is garbage now; it may not be called again for a long time.
+    // Collects the garbage of the failed call now, because the script may not be called again for a long time.
     if (state.memory() > state.memory_limit() / 2) lua_gc(lua, LUA_GCCOLLECT);
     return tl::unexpected(std::move(*error));
 }

@@ -93,7 +93,7 @@ Expected<Chunk> compile(std::string_view source, const std::string& file) {
     const int status = lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
     if (status == LUA_ERRMEM) return failure("not enough memory to compile it", {file});
     if (status != LUA_OK && std::string_view(lua_tostring(lua, -1)) == "C stack overflow") {
-        // Lua does not tell the location. If the text is read byte by byte, it shows how far Lua came.
+        // This error has no location. Compiles again and gives the text byte by byte, to see how far Lua reads.
         reader = {source, 1, deadline};
         lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
         const std::string_view seen = source.substr(0, source.size() - reader.rest.size());

@@ -29,7 +29,7 @@ Expected<Chunk> compile(std::string_view source, const std::string& file);
 tl::expected<Chunk, std::vector<Error>> compile_checked(std::string_view source, const std::string& file,
                                                         const KnownGlobals& known);
 
-/// Pushes the main function of the chunk. It uses the globals of the state.
+/// Pushes the main function of the chunk. The function uses the globals of the state.
 CallResult load_chunk(lua_State* lua, const Chunk& chunk);
 
 }  // namespace nezumi

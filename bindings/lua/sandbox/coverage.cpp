@@ -49,7 +49,7 @@ Coverage::Coverage(const fs::path& root) {
 Coverage::Source* Coverage::mark(const SourceText& source, Chunk& chunk) {
     Source* const found = find(source);
     if (found == nullptr || found->marked.text.empty()) return nullptr;
-    // Marks may exceed a limit of Lua, such as 200 local variables.
+    // Marks may exceed a limit of Lua, such as 200 local variables. Then the text is not measured.
     auto marked = compile(found->marked.text, chunk.file);
     if (!marked) {
         found->marked = {};
@@ -68,7 +68,7 @@ Coverage::Source* Coverage::find(const SourceText& source) {
     const auto same = [&](const Source& each) { return each.hash == hash && each.file == file; };
     if (const auto known = std::find_if(sources_.begin(), sources_.end(), same); known != sources_.end())
         return &*known;
-    // A scenario may reload a behaviour from a string instead of its file.
+    // A scenario may reload a behaviour from a string instead of its file. Such a text is not measured.
     if (read_whole(source.path, source.path).value_or("") != source.text) return nullptr;
     MarkedText marked = mark_lines(without_preamble(source.text));
     if (marked.text.empty()) return nullptr;
@@ -88,7 +88,7 @@ void Coverage::remove(const LuaState& state) {
     std::erase(states_, &state);
 }
 
-// Allocates nothing in the state, so it raises no error.
+// Collects the marks of a state. Allocates nothing in the state, so raises no Lua error.
 void Coverage::collect(const LuaState& state) {
     lua_State* const lua = state.lua();
     if (lua_checkstack(lua, 2) == 0) return;

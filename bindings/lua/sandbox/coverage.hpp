@@ -58,14 +58,14 @@ public:
     Coverage(const Coverage&) = delete;
     Coverage& operator=(const Coverage&) = delete;
 
-    /// Replaces the code of a text by the same with marks. Returns null, and leaves it, if the text does not count: it
-    /// is of another project, differs from its file, or can't be marked.
+    /// Replaces the code of a text by the same code with marks. Returns null, and leaves the code as it is, if the text
+    /// is not measured: it belongs to another project, differs from its file, or can't be marked.
     Source* mark(const SourceText& source, Chunk& chunk);
 
     /// Makes the table of the marks of a source and pushes it. May raise a Lua error.
     static void push_marks(lua_State* lua, Source& source);
 
-    /// The owner of a Lua state adds it, and removes it before the state is closed.
+    /// The owner of a Lua state calls `add` for it, and `remove` before the state is closed.
     void add(const LuaState& state) { states_.push_back(&state); }
     void remove(const LuaState& state);
 

@@ -74,7 +74,7 @@ InnerError& inner_error() {
     return the_error;
 }
 
-// Those of `coroutine`, after those of the inner error if it is `error`.
+// The frames of `coroutine`. If `error` is the inner error, raised again, the frames of that come first.
 std::shared_ptr<const ErrorFrames> frames_from(lua_State* coroutine, bool is_deep, const void* error) {
     const bool with_locals = !is_deep && lua_checkstack(coroutine, needed_slots) != 0;
     const auto most = static_cast<std::size_t>(is_deep ? most_deep_frames : most_frames);

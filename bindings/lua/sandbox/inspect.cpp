@@ -17,10 +17,10 @@
 namespace nezumi {
 namespace {
 
-constexpr int most_free_visits = 4;  // to a table whose entries have been counted
+constexpr int most_free_visits = 4;  // of a table whose entries have been counted, before they count again
 
-// The functions below run under `protect` and may raise Lua errors. Objects with destructors are outside of them, in
-// this class.
+// The methods run within a protected call and may raise Lua errors. So their objects with destructors are members of
+// this class, which exists outside of that call.
 class Inspector {
 public:
     Inspector(const InspectOptions& options, InspectWork& work) : options_(options), work_(work) {}
@@ -51,7 +51,7 @@ private:
     InspectWork& work_;
     std::string out_;
     std::string scratch_;
-    std::map<const void*, int> counted_;  // visits to tables with few entries; one line is tried before several
+    std::map<const void*, int> counted_;  // visits of each counted table: it is tried in one line, then in several
     std::vector<const void*> open_;       // the outer tables of the one that is shown
     std::size_t limit_ = 0;               // limit of `out_` while a table is tried in one line; 0: none
 };
@@ -134,7 +134,7 @@ void Inspector::key(bool& in_sequence, lua_Integer& next) {
     out_ += " = ";
 }
 
-// Whether a table has few enough entries to sort them; counts the entries that it visits.
+// Whether a table has few enough entries to sort them; takes a step for each entry that it visits.
 bool Inspector::can_count(int index) {
     if (luaL_getmetafield(lua_, index, "__pairs") != LUA_TNIL) return lua_pop(lua_, 1), true;
     const void* const self = lua_topointer(lua_, index);
@@ -146,13 +146,13 @@ bool Inspector::can_count(int index) {
     for (lua_pushnil(lua_); entries <= work_.steps && lua_next(lua_, table) != 0; lua_pop(lua_, 1)) ++entries;
     lua_settop(lua_, top);
     const bool few = entries <= work_.steps;
-    // Half of the steps are left for other tables, however many large ones there are.
+    // A table that is too large takes half of the remaining steps, so that some steps remain for other tables.
     work_.steps -= few ? entries : (work_.steps + 1) / 2;
     if (few) counted_.emplace(self, 0);
     return few;
 }
 
-// Begins an entry. If there is no room for it, or it is not known, writes "..." and returns false.
+// Begins an entry. If there is no room for it, or if not `is_known`, writes "..." and returns false.
 bool Inspector::begin_entry(std::size_t indent, bool flat, std::size_t& count, bool is_known) {
     const bool fits = ++count <= options_.items && out_.size() < work_.bytes && is_known;
     if (!flat) {
@@ -198,7 +198,7 @@ void Inspector::first_elements(int index, int depth, std::size_t indent, bool fl
     lua_settop(lua_, top);
 }
 
-// Returns false as soon as one line is too short.
+// Writes the entries of a table. Returns false as soon as they do not fit in one line, while this is tried.
 bool Inspector::entries(int index, int depth, std::size_t indent, bool flat) {
     std::size_t count = 0;
     out_ += '{';
@@ -234,7 +234,7 @@ void Inspector::table(int index, int depth, std::size_t indent) {
     if (limit_ != 0) {
         entries(index, depth, indent, true);
     } else {
-        // The begin of the line; the text before the table counts as well.
+        // The start of the present line: the text before the table counts for the width as well.
         const std::size_t line = out_.rfind('\n') == std::string::npos ? 0 : out_.rfind('\n') + 1;
         limit_ = line + options_.width;
         const bool fits = entries(index, depth, indent, true);
@@ -256,7 +256,7 @@ int show_table(lua_State* L) {
 }
 
 // Pushes the text of the table at `index`. An error of its metamethods replaces the text, because printing a table must
-// not stop a behaviour. The end of the script's time is raised.
+// not stop a behaviour. The error of the time limit is raised again.
 void push_table_text(lua_State* L, int index, InspectWork& work) {
     int status = LUA_OK;
     {

@@ -24,11 +24,12 @@ struct InspectOptions {
 
 /// The value at `index`: tables in Lua syntax, keys in the order of `pairs`, with `__tostring`, a table within itself
 /// as <cycle>. If a table has too many entries, only its elements from 1 on are shown. Calls metamethods within a time
-/// limit of 10 ms. Raises no Lua error: a value that can't be shown gives the reason.
+/// limit of 10 ms. Raises no Lua error: for a value that can't be shown, the text is the reason.
 std::string inspect(lua_State* L, int index, const InspectOptions& options = {});
 
-/// Pushes the text of `print` and `log` for all values on the stack: tables as above, other values as `tostring`, with
-/// tabs between. Runs within the call that prints, in its time, so it is the same in every run. May raise a Lua error.
+/// Pushes the text of `print` and `log` for all values on the stack: tables as in `inspect`, other values as in
+/// `tostring`, with tabs between. This has no time limit except that of the call that prints, so the text is the same
+/// in every run. May raise a Lua error.
 void push_line(lua_State* L);
 
 }  // namespace nezumi

@@ -26,7 +26,7 @@ const Entries& coroutine();
 /// The arithmetic of strings ("10" + 1), for their metatable.
 const Entries& string_metamethods();
 
-/// A function of Lua's own library by name. They are found once, by opening the library in a separate state. `library`
+/// A function of Lua's own library by name. All are found once, by opening the library in a separate state. `library`
 /// is empty for basic functions, and "string metatable" for metamethods of strings. An unknown name is a programming
 /// error.
 lua_CFunction stock(std::string_view library, std::string_view name);
@@ -35,7 +35,7 @@ Entries stock(std::string_view library, std::initializer_list<const char*> names
 /// How a function of `table` uses its first argument.
 enum TableAccess : unsigned { reads = 1, writes = 2, has_length = 4 };
 
-/// Raises an error unless the value at `index` is a table, or supports this `access`.
+/// Raises an error unless the value at `index` is a table, or has the metamethods for this `access`.
 void check_table(lua_State* lua, int index, unsigned access);
 
 /// The largest number of elements for functions of `table`: more do not fit into the memory of a state.

@@ -28,8 +28,8 @@ int pcall(lua_State* lua) {
     return finish_protected(lua, lua_pcallk(lua, lua_gettop(lua) - 2, LUA_MULTRET, 0, 0, finish_protected), 0);
 }
 
-// Upvalue: the handler of the script. It would run inside the hook that ends the script's time, where it could not be
-// stopped.
+// Calls the script's handler (upvalue), but not after the end of the time limit: then it would run inside the hook,
+// where it could not be stopped.
 int guard_handler(lua_State* lua) {
     if (current_call->expired != 0) return 1;
     lua_settop(lua, 1);
@@ -57,7 +57,8 @@ void refuse_field(lua_State* lua, const char* field, const char* reason) {
     lua_pop(lua, 1);
 }
 
-// If `__call` is not a function, Lua searches its own `__call` in turn; a circle would never end.
+// If `__call` is not a function, Lua searches the `__call` of that value in turn. A circle of such values would never
+// end.
 void refuse_caller(lua_State* lua) {
     lua_pushliteral(lua, "__call");
     const int type = lua_rawget(lua, 2);

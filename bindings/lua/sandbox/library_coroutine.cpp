@@ -18,9 +18,9 @@ lua_State* check_coroutine(lua_State* lua, int index) {
     return coroutine;
 }
 
-// A coroutine that has paused continues only with its task. Meanwhile a bit of its pointer, which nothing else reads,
-// prevents other uses. On top of the stack of each is the inner coroutine that has paused, unless the pause began
-// there.
+// A coroutine that has paused continues only with its task. Until then, a bit of the pointer in its extra space is set,
+// so that scripts can't resume or close it; nothing else reads the pointer meanwhile. If the pause began in an inner
+// coroutine, that coroutine is on top of the stack.
 constexpr std::uintptr_t paused_bit = 1;
 static_assert(alignof(LuaState) > paused_bit);
 
@@ -37,7 +37,7 @@ void unset_all_paused(lua_State* coroutine) {
     }
 }
 
-// Like lua_resume, with the watchdog. Raises an error at the end of the time.
+// Like lua_resume, but the watchdog follows the coroutine. Raises an error if the time limit is reached.
 int resume_watched(lua_State* lua, lua_State* coroutine, int arguments, int& results) {
     CallRecord& call = *current_call;
     unset_paused(coroutine);
@@ -80,11 +80,12 @@ int run(lua_State* lua, lua_State* coroutine, int arguments, lua_KFunction go_on
     return results;
 }
 
-// Moves the arguments of the caller; returns false, with an error on the caller's stack, if this is impossible.
+// Moves `count` arguments from the caller to the coroutine. If this is impossible, returns false, with the error on the
+// caller's stack.
 bool give_arguments(lua_State* lua, lua_State* coroutine, int count) {
     check_c_stack(lua);
     if (has_paused(coroutine)) {
-        lua_pushliteral(lua, "a coroutine that waits in a task can't be resumed by others");
+        lua_pushliteral(lua, "a coroutine that waits in a task can only be resumed by that task");
         return false;
     }
     if (lua_checkstack(coroutine, count) == 0) {
@@ -196,7 +197,8 @@ int close(lua_State* lua) {
     if (status != Status::suspended && status != Status::dead) {
         return luaL_error(lua, "cannot close a %s coroutine", status_names[static_cast<int>(status)]);
     }
-    if (has_paused(coroutine)) return luaL_error(lua, "a coroutine that waits in a task can't be closed by others");
+    if (has_paused(coroutine))
+        return luaL_error(lua, "a coroutine that waits in a task can only be closed by that task");
     if (is_poisoned(coroutine)) {
         lua_pushboolean(lua, 0);
         lua_pushliteral(lua, "the coroutine ran for too long");
@@ -268,7 +270,7 @@ int pause(lua_State* lua, lua_KContext context, lua_KFunction go_on) {
 
 bool close_slices(lua_State* lua, lua_State* coroutine, bool& closes) {
     if (is_poisoned(coroutine)) return true;
-    const bool has_failed = lua_status(coroutine) != LUA_YIELD;  // with a known error
+    const bool has_failed = lua_status(coroutine) != LUA_YIELD;  // its error is already stored
     luaL_checkstack(lua, 1, nullptr);
     library::unset_all_paused(coroutine);
     note_closed(coroutine);

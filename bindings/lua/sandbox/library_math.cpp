@@ -33,7 +33,7 @@ int random(lua_State* lua) {
     return 1;
 }
 
-// Without a seed it uses the seed of the state, never a clock.
+// `randomseed` without arguments uses the seed of the state, never a clock.
 int seed_random(lua_State* lua) {
     LuaState& state = LuaState::of(lua);
     std::uint64_t seed = state.random_seed();

@@ -9,7 +9,7 @@
 namespace nezumi::library {
 namespace {
 
-constexpr std::size_t longest_layout = 10000;  // [bytes] of a format that Lua reads without checking the time
+constexpr std::size_t longest_layout = 10000;  // [bytes]: Lua reads a format without checking the time limit
 
 int repeat(lua_State* lua) {
     std::size_t length = 0;
@@ -43,7 +43,7 @@ int repeat(lua_State* lua) {
     return 1;
 }
 
-// Finds the conversions of a format: each call returns the place of the letter of the next one, or null.
+// Finds the next conversion of a format, such as `%5d`: returns the place of its letter, or null if there is none.
 const char* next_conversion(const char* at, const char* end) {
     while (at < end) {
         if (*at++ != '%') continue;

@@ -19,7 +19,7 @@ std::string_view file_of(const lua_Debug& function) {
 }  // namespace
 
 std::size_t LineCosts::child(std::size_t parent, std::string_view name, std::string_view file, int line, bool is_line) {
-    // A function and its first line may have the same number.
+    // A function and its first line may have the same line number, so functions have negative ones as keys.
     const std::pair key(parent, std::pair(std::string(file), is_line ? line : -line));
     const auto [found, is_new] = children_.try_emplace(key, nodes_.size());
     if (is_new) {
@@ -45,7 +45,7 @@ void LineProfile::follow(lua_State* coroutine) {
 void LineProfile::on_event(lua_State* lua, lua_Debug* event) {
     LineProfile* const profile = current_profile;
     if (profile == nullptr) {
-        // The watchdog may have set its hook meanwhile; that one must stay.
+        // The watchdog may have set its own hook meanwhile, which must stay.
         if (lua_gethook(lua) == on_event) free_hook(lua);
         return;
     }
@@ -63,7 +63,7 @@ void LineProfile::on_event(lua_State* lua, lua_Debug* event) {
 }
 
 void LineProfile::note(lua_State* lua, lua_Debug* event) {
-    // After a return, the line of the caller goes on.
+    // After a return, the caller's line continues.
     const bool begins = event->event == LUA_HOOKLINE;
     const int innermost = begins ? 0 : 1;
     int depth = innermost;

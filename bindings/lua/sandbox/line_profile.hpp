@@ -76,7 +76,7 @@ private:
     LineCosts& costs_;
     LineProfile* outer_;
     std::size_t present_ = 0;  // the line that runs; 0: none
-    std::int64_t since_;       // [ns] when it went on
+    std::int64_t since_;       // [ns] CPU time up to which costs are counted
     std::int64_t hooks_ = 0;
 };
 

@@ -35,7 +35,7 @@ std::string cut(std::string text) {
     return text.append("...");
 }
 
-// Control characters as dots, so that a text begins no line.
+// Shows control characters as dots, so that a value stays in its line.
 std::string without_controls(std::string_view text) {
     std::string shown;
     for (const char each : text.substr(0, LineTrace::longest_value)) {
@@ -50,8 +50,9 @@ std::string text_of_string(std::string_view text) { return "\"" + without_contro
 // The value on top of the stack as text; "" for values without a text, such as functions.
 std::string text_of(lua_State* lua, bool within = false);
 
-// The fields with names of the table on top of the stack, as texts without an empty one: by name, because the order in
-// memory depends on the run. Nothing if the table has too many elements: which ones come first depends on the run too.
+// The fields with string keys of the table on top of the stack, except values without a text. Sorted by name, because
+// the order in memory depends on the run. Nothing if the table has too many elements: which come first depends on it
+// too.
 std::optional<std::map<std::string, std::string>> named_fields(lua_State* lua, bool within) {
     std::map<std::string, std::string> fields;
     int count = 0;
@@ -183,7 +184,7 @@ void LineTrace::follow(lua_State* coroutine) {
 void LineTrace::on_event(lua_State* lua, lua_Debug* event) {
     LineTrace* const trace = current_trace;
     if (trace == nullptr || trace->is_over()) {
-        // The watchdog may have set its hook meanwhile; that one must stay.
+        // The watchdog may have set its own hook meanwhile, which must stay.
         if (lua_gethook(lua) == on_event) free_hook(lua);
         return;
     }
@@ -265,7 +266,8 @@ void LineTrace::fold_loop() {
     }
 }
 
-// Variables of the file that the function on top of the stack uses, its own variables, and fields of the tables.
+// The values of the file's variables that the function on top of the stack uses, of its local variables, and of fields
+// of `tables_`.
 std::vector<LineTrace::Value> LineTrace::values_in_sight(lua_State* lua, lua_Debug* event) const {
     std::vector<Value> values;
     for (int i = 1; const char* name = lua_getupvalue(lua, -1, i); ++i) {
@@ -284,8 +286,8 @@ std::vector<LineTrace::Value> LineTrace::values_in_sight(lua_State* lua, lua_Deb
     return values;
 }
 
-// The line that this function was executing has ended, with everything that it called. The function is on top of the
-// stack.
+// Called when the line that this function was executing has ended, with everything that the line called. The function
+// is on top of the stack.
 void LineTrace::end_line(lua_State* lua, lua_Debug* event, int depth, const void* function) {
     std::erase_if(frames_, [&](const Frame& each) { return each.lua == lua && each.depth > depth; });
     const auto frame = std::find_if(frames_.begin(), frames_.end(),

@@ -15,7 +15,8 @@ namespace nezumi {
 
 class LineTrace {
 public:
-    /// Limits: recorded lines, events, nested calls, variables of a line, bytes of a value. More is omitted.
+    /// Limits: recorded lines, events, nested calls, variables of a line, bytes of a value, fields of a table. More is
+    /// omitted.
     static constexpr std::size_t most_lines = 300, most_events = 5000;
     static constexpr int deepest = 30;
     static constexpr std::size_t most_values = 48, longest_value = 60;
@@ -36,7 +37,8 @@ public:
         std::string file;  ///< its name in messages, or the end of it after a '/'
         int line = 0;
     };
-    /// An execution of a watched line, before it: the variables of the function, and those of the file that it uses.
+    /// The moment before a watched line is executed: the local variables of the function, and variables of the file
+    /// that it uses.
     struct Hit {
         std::string file;  ///< as in messages
         int line = 0;
@@ -85,7 +87,7 @@ private:
     std::vector<Frame> frames_;
 };
 
-/// Whether a chunk's source, as Lua has it ("@behaviors/keeper.lua"), is this file ("keeper.lua").
+/// Whether the source of a chunk, as Lua names it ("@behaviors/keeper.lua"), is the file `name` ("keeper.lua").
 bool is_file(std::string_view source, std::string_view name);
 
 /// The value on top of the stack as it is shown in a trace; "" for values without a text, such as functions. Raises no

@@ -1,5 +1,5 @@
-// An empty table with a metatable that reads from another table and refuses to write. A copy contains the table behind
-// it, so all copies share one metatable.
+// A locked table is empty: its metatable reads from another table, the table behind it, and refuses assignments. A
+// locked copy contains the table behind it under a hidden key, so all copies can share one metatable.
 #include "bindings/lua/sandbox/locked_table.hpp"
 
 #include "bindings/lua/sandbox/text.hpp"
@@ -7,10 +7,10 @@
 namespace nezumi {
 namespace {
 
-// Their addresses are keys that no script can have: for the table behind, in the metatable or in the copy; for the
-// owner and key of a copy; for the copies' metatable in the registry.
+// The addresses of these variables are keys that no script can have: for the table behind (in the metatable, or in a
+// copy), for the owner and the key of a copy, and for the metatable of copies (in the registry).
 constexpr char table_behind = 0, copy_owner = 0, copy_key = 0, copies_metatable = 0;
-// The same for the mark of a hidden metatable.
+// The address of this is the key that marks a hidden metatable.
 constexpr char hidden_mark = 0;
 
 // Upvalues: the name of the table, and why it can't be changed.
@@ -28,7 +28,7 @@ int length_behind(lua_State* lua) {
     return 1;
 }
 
-// Upvalue: the message about a missing name.
+// Upvalue: the C function for a missing name.
 int read_behind(lua_State* lua) {
     lua_settop(lua, 2);
     lua_rawgetp(lua, 1, &table_behind);
@@ -61,7 +61,7 @@ void lock_table(lua_State* lua, const char* name, const char* why) {
 void open_copies(lua_State* lua, lua_CFunction refuse, lua_CFunction missing) {
     luaL_checkstack(lua, 3, nullptr);
     lua_createtable(lua, 0, 5);
-    lua_pushboolean(lua, 1);  // the table behind, the copy has
+    lua_pushboolean(lua, 1);  // not a table: the copy itself has the table behind
     lua_rawsetp(lua, -2, &table_behind);
     lua_pushcfunction(lua, missing);
     lua_pushcclosure(lua, read_behind, 1);

@@ -5,16 +5,17 @@
 
 namespace nezumi {
 
-/// Replaces the table on top of the stack by an empty one that reads from it. An assignment to it is an error with
-/// `name` and the reason. `getmetatable` returns false, `rawset` and `setmetatable` refuse it, and `pairs`, `next`,
-/// `rawget` and `#` see the table behind. Reading a field takes one step more than in a normal table. May raise a Lua
-/// error (memory).
+/// Replaces the table on top of the stack by a locked table: an empty table that reads from the original, the table
+/// behind it. An assignment to the locked table is an error with `name` and `why`. `getmetatable` returns false,
+/// `rawset` and `setmetatable` refuse the locked table, and `pairs`, `next`, `rawget` and `#` see the table behind it.
+/// Reading a field takes one step more than in a normal table. May raise a Lua error (memory).
 void lock_table(lua_State* lua, const char* name, const char* why = "is read-only");
 
-/// Locks a copy, which objects of the engine return often: making one takes a third of the work, but reading a
-/// field takes a call. All copies of a state share one metatable. `refuse` is called for every assignment (table, key,
-/// value) and raises the error. `missing` is called for every read of a missing name (table, key, the table behind,
-/// nil); it raises an error or returns the nil. Call this once for each state.
+/// Prepares `lock_copy`, for copies that objects of the engine return often: locking one takes a third of the time of
+/// `lock_table`, but reading a field takes a function call. All copies of a state share one metatable. `refuse` is
+/// called for every assignment (table, key, value) and raises the error. `missing` is called for every read of a
+/// missing name (table, key, the table behind, nil); it raises an error or returns the nil. Call this once for each
+/// state.
 void open_copies(lua_State* lua, lua_CFunction refuse, lua_CFunction missing);
 /// Makes the table on top of the stack a read-only copy of the value that `owner` has for `key`, both at absolute
 /// indices.
@@ -31,7 +32,7 @@ bool push_behind_lock(lua_State* lua, int index);
 /// plain data. May raise a Lua error (memory).
 void hide_metatable(lua_State* lua);
 
-/// Whether the value at `index` has such a metatable. Raises no error, and leaves the stack unchanged.
+/// Whether the value at `index` has a hidden metatable. Raises no error, and leaves the stack unchanged.
 bool has_hidden_metatable(lua_State* lua, int index);
 
 }  // namespace nezumi

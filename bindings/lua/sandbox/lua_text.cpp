@@ -26,7 +26,7 @@ int look_into_library(dl_phdr_info* library, std::size_t, void*) {
         const std::uintptr_t begin = library->dlpi_addr + segment.p_vaddr;
         const Range text{begin, begin + segment.p_memsz};
         if (!text.holds(reinterpret_cast<std::uintptr_t>(&lua_newstate))) continue;
-        // If Lua is linked statically, its code can't be distinguished from ours.
+        // If Lua is linked statically, its code can't be distinguished from that of this program.
         if (!text.holds(reinterpret_cast<std::uintptr_t>(&was_in_lua))) lua_code = text;
         return 1;
     }

@@ -14,7 +14,7 @@ namespace {
 
 enum class KeyKind : unsigned char { integer, real, text, boolean };
 
-// A key as a C++ value. A text is valid as long as its table has it.
+// A key of a table as a C++ value. `text` is valid as long as the table has this key.
 struct Key {
     union {
         lua_Integer integer;  // 0 or 1 for a boolean
@@ -48,7 +48,7 @@ Key read_key(lua_State* lua, int index) {
             key.kind = KeyKind::boolean;
             break;
         default:
-            // All such keys give this text, because their order differs from run to run.
+            // The text does not depend on the key, because which one is found first differs from run to run.
             luaL_error(lua,
                        "a table with a table or function as a key can't be traversed: use numbers, strings or booleans"
                        " as keys");
@@ -146,7 +146,8 @@ bool push_element(lua_State* lua, int table, lua_Integer position) {
     return false;
 }
 
-// The iterator of `pairs`. Upvalues: the table; the sorted keys, nil while in 1..n; the index of the last one.
+// The iterator of `pairs`. Upvalues: the table; the sorted other keys, nil while 1..n is traversed; the index of the
+// last visited one of them.
 int step(lua_State* lua) {
     constexpr int table = lua_upvalueindex(1);
     constexpr int keys = lua_upvalueindex(2);
@@ -260,7 +261,7 @@ int first_entry(lua_State* lua) {
     }
     lua_settop(lua, 2);
     if (least.kind == KeyKind::integer && least.integer > 1) {
-        lua_pushboolean(lua, 1);  // the next call must not take it for an index in 1..n
+        lua_pushboolean(lua, 1);  // the next call must not take the key for one in 1..n
         cache_keys(lua, 1);
     }
     lua_pushvalue(lua, 2);
@@ -308,7 +309,7 @@ int ordered_next(lua_State* lua) {
     lua_Integer at = 1;
     if (cached == LUA_TTABLE) {
         at = place_after(lua, key);
-        if (may_be_in_sequence) {  // the cache may still exist if a table is traversed twice at a time
+        if (may_be_in_sequence) {  // `key` may still be in 1..n, if the table is traversed twice at a time
             lua_rawgeti(lua, -1, at - 1);
             const bool in_others = lua_rawequal(lua, 2, -1) != 0;
             lua_pop(lua, 1);

@@ -12,8 +12,8 @@ namespace nezumi {
 /// The function `pairs`. Supports `__pairs`.
 int ordered_pairs(lua_State* lua);
 
-/// The function `next`. It is fast for an empty table. For a table with n keys that are not a sequence, the first call
-/// takes time in proportion to n.
+/// The function `next`. Fast for an empty table. For a table with n keys that are not a sequence, the first call takes
+/// time in proportion to n.
 int ordered_next(lua_State* lua);
 
 }  // namespace nezumi

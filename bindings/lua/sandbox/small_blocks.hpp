@@ -11,9 +11,9 @@
 
 namespace nezumi {
 
-/// Most objects of Lua are small. Here they need no header as in `malloc`, lie next to each other, and are released
-/// quickly. When the region is full, which is about when a script of usual size is loaded, further blocks come from
-/// elsewhere. So a script never wastes more than the region.
+/// Most objects of Lua are small. In this region they need no header as in `malloc`, lie next to each other, and are
+/// released quickly. When the region is full, which is about when a script of usual size is loaded, further blocks come
+/// from elsewhere. So a script never wastes more than the region.
 class SmallBlocks {
 public:
     static constexpr std::size_t most = 128;  ///< [bytes] of a block
@@ -48,7 +48,7 @@ public:
         Free*& first = free_[kind_of(bytes)];
         first = new (block) Free{first};
     }
-    /// Begins again. The old region with its blocks stays allocated.
+    /// Begins with a new region. The old one, with its blocks, stays allocated.
     void abandon() {
         begin_ = nullptr;
         used_ = 0;

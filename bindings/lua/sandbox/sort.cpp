@@ -55,7 +55,7 @@ constexpr int comparison = 2;
 constexpr int elements = 4;
 constexpr int plain_memory = 5;
 
-// Integers beyond this are not exact as floats, so Lua compares them.
+// Larger integers are not exact as floats, so Lua itself compares them.
 constexpr lua_Integer exact_integers = lua_Integer{1} << 53;
 
 bool fits_plain(lua_State* lua, int type) {

@@ -14,14 +14,15 @@
 namespace nezumi {
 namespace {
 
-// Small steps keep pauses short: measured 10 times shorter than the defaults on a heap of 2 MB.
-// By these, a script of a swarm needs 14 KB less than by 200 and 10, which let the heap grow to three times what lives,
-// for 0.5 % more instructions (docs/performance.md).
+// Small steps keep pauses short: on a heap of 2 MB, they were 10 times shorter than with Lua's defaults. With a pause
+// of 200 % and a speed of 10, the heap would grow to three times the live memory. With the values below, a script of a
+// swarm needs 14 KB less, and executes 0.5 % more instructions (docs/performance.md).
 constexpr int gc_pause = 150;        // [%] of the live memory before a new cycle begins
 constexpr int gc_step_speed = 40;    // work per allocation
 constexpr int gc_step_size_log = 8;  // [log2 bytes] between two steps
 
-// All of Lua runs under protected_call, so this is a programming error. Prints the text before the process ends.
+// All Lua code runs within protected_call, so an error elsewhere is a programming error. Prints its text and ends the
+// process.
 int panic(lua_State* lua) {
     const char* message = lua_type(lua, -1) == LUA_TSTRING ? lua_tostring(lua, -1) : "unknown";
     std::fprintf(stderr, "nezumi: Lua error outside a protected call: %s\n", message);
@@ -69,7 +70,7 @@ bool LuaState::open() {
 }
 
 LuaState* LuaState::replace_lost() {
-    lua_gc(lua_, LUA_GCSTOP);  // for code that may still use the old one
+    lua_gc(lua_, LUA_GCSTOP);  // the old state must not change: code may still use it
     leave_to_leak(lua_);
     small_.abandon();
     memory_ = 0;

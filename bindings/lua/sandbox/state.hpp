@@ -56,8 +56,8 @@ public:
         if (print_) print_(line);
     }
 
-    /// Sets a function that adds a hint to the error of a call, such as what a nil upvalue means after a reload. It
-    /// gets the error and returns the text to append. Empty: no hints. Must not throw.
+    /// Sets a function that adds a hint to the error of a call, such as what a nil upvalue means after a reload. The
+    /// function gets the error and returns the text to append. Empty: no hints. Must not throw.
     void set_hint(std::function<std::string(const Error&)> hint) { hint_ = std::move(hint); }
     /// Sets a function that returns the lines of tail calls in a function of a file, from line `first` to `last`,
     /// because a tail call is not visible in an error. Empty: unknown. Must not throw.
@@ -71,7 +71,7 @@ public:
     /// An empty coroutine for a call from `lua`, with room for `values` values; null for lack of memory. If the call
     /// fails, its stack is unchanged, so the location of any error can be found after Lua has returned.
     lua_State* take_thread(lua_State* lua, int values);
-    /// Takes it back, empty or poisoned.
+    /// Takes back a coroutine of `take_thread`, which must be empty or poisoned.
     void give_back_thread(lua_State* lua, lua_State* thread);
 
     /// How often the memory limit was reached. The allocator does nothing else, because Lua may be in any condition
@@ -93,7 +93,7 @@ public:
     /// Replaces a lost state by an empty one; its memory stays allocated. Returns the next state of the list.
     LuaState* replace_lost();
 
-    /// Whether `next` has ever stored keys.
+    /// Whether the scripts' function `next` has ever stored sorted keys.
     bool has_next_cache = false;
     /// The text of an error while it passes from C++ to a Lua error (values/bridge.hpp). It is stored here, because the
     /// jump of the error would skip its destructor.
@@ -122,7 +122,8 @@ private:
     TailCalls tail_calls_;
 };
 
-/// Closes the variables of a coroutine, like lua_resetthread. If possible, Lua counts nested calls from `from` on.
+/// Closes the variables of a coroutine, like lua_resetthread. Lua 5.4.6 and later count nested calls, beginning with
+/// those of `from`.
 inline int close_coroutine(lua_State* coroutine, [[maybe_unused]] lua_State* from) {
 #if LUA_VERSION_RELEASE_NUM >= 50406
     return lua_closethread(coroutine, from);
@@ -131,7 +132,8 @@ inline int close_coroutine(lua_State* coroutine, [[maybe_unused]] lua_State* fro
 #endif
 }
 
-/// A coroutine that was stopped inside its hook can't be watched any more; no code may run in it.
+/// Whether a coroutine is poisoned: it was stopped inside its hook and can't be watched any more, so no code may run in
+/// it.
 inline bool is_poisoned(lua_State* coroutine) { return *static_cast<void**>(lua_getextraspace(coroutine)) == nullptr; }
 inline void poison(lua_State* coroutine) { *static_cast<void**>(lua_getextraspace(coroutine)) = nullptr; }
 

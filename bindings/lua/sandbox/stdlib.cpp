@@ -44,7 +44,7 @@ StockFunctions find_stock_functions() {
     return functions;
 }
 
-// Copies functions without upvalues; no function that is taken needs any.
+// Pushes a table of these functions. They are copied without upvalues, because none of them needs any.
 void push_entries(lua_State* lua, const Entries& entries, int more = 0) {
     lua_createtable(lua, 0, static_cast<int>(entries.size()) + more);
     for (const LibraryFunction& entry : entries) {
@@ -99,10 +99,10 @@ constexpr Library libraries[] = {
     {"table", [](lua_State* lua) { push_entries(lua, table()); }},         {"utf8", push_utf8},
 };
 
-// Adds the library to the globals, without their metatable.
+// Adds the library to the globals with raw access, because their metatable may refuse it.
 void open(lua_State* lua, const Library& library) {
     luaL_checkstack(lua, 10, nullptr);
-    // Lua searches here for the name of a function that was called without a name.
+    // Lua searches this table for the name of a function that was called without a name.
     luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
     library.push(lua);
     lua_pushvalue(lua, -1);
@@ -117,7 +117,7 @@ void open(lua_State* lua, const Library& library) {
 
 // Runs at the first use of a method of a string.
 int find_first_method(lua_State* lua) {
-    open_library(lua, "string");  // it puts its functions into the metatable
+    open_library(lua, "string");  // this also sets the metatable of strings
     lua_settop(lua, 2);
     luaL_getmetafield(lua, 1, "__index");
     lua_insert(lua, 2);
@@ -150,7 +150,8 @@ const Entries& utf8() {
 Expected<void> open_sandbox(LuaState& state, Libraries libraries) {
     const auto opened = protect(state.lua(), Budget{10.0}, [libraries](lua_State* lua) {
         luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
-        // Not from the globals, because a script may define its own under other names.
+        // Lua searches this table too for names of functions. It is not the table of globals, where a script may have
+        // functions under other names.
         library::push_entries(lua, library::basic());
         lua_setfield(lua, -2, LUA_GNAME);
         lua_pushglobaltable(lua);

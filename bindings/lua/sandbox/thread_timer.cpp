@@ -14,8 +14,8 @@
 #include "engine/base/thread.hpp"
 
 #if defined(NEZUMI_THREAD_SANITIZER)
-// ThreadSanitizer delays signals until the thread calls into libc, which an endless loop never does. This name is the
-// same function, but not intercepted.
+// ThreadSanitizer delays signals until the thread calls into libc, which an endless loop never does. `__sigaction` is
+// the same function as `sigaction`, but ThreadSanitizer does not intercept it.
 extern "C" int __sigaction(int, const struct sigaction*, struct sigaction*);
 #define NEZUMI_SIGACTION __sigaction
 #else
@@ -26,7 +26,8 @@ namespace nezumi {
 namespace {
 
 int timer_signal() { return SIGRTMIN + 5; }
-// A signal that needs no place in the queue of waiting signals, and that processes ignore by default.
+// A signal that needs no place in the queue of waiting signals, which may be full, and that processes ignore by
+// default.
 constexpr int watcher_signal = SIGURG;
 
 sigset_t both_signals() {
@@ -117,7 +118,7 @@ void ThreadTimer::stop() {
             timer_delete(timer_);
         }
     }
-    // The child of a fork has neither of them.
+    // The child of a fork has neither the timer nor the watching thread.
     watched_ = nullptr;
     process_ = 0;
 }

@@ -17,8 +17,8 @@
 #include "engine/base/sanitizers.hpp"
 
 #if defined(NEZUMI_THREAD_SANITIZER)
-// ThreadSanitizer must see every jump, or its count of calls becomes wrong; Debian's Lua jumps with a function that it
-// does not know.
+// ThreadSanitizer must see every jump, or its count of calls becomes wrong; Debian's Lua jumps with a function that the
+// sanitizer does not know.
 extern "C" void __longjmp_chk(jmp_buf target, int value) { longjmp(target, value); }
 // The sanitizer records each call of a function. In a handler that interrupts the sanitizer itself, this would be a
 // deadlock.
@@ -63,17 +63,17 @@ NEZUMI_IN_SIGNAL std::int64_t nanoseconds(const timespec& time) {
     return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
 }
 
-// Additional time for Lua's own C code before it is abandoned. Normally it reaches the next instruction of the script,
-// where a hook ends it, much sooner, unless the script prevents this on purpose.
+// Additional time for Lua's own C code before it is abandoned. Normally this code returns much sooner to the next
+// instruction of the script, where a hook ends the call, unless the script prevents this on purpose.
 NEZUMI_IN_SIGNAL std::int64_t grace_ns(double budget_seconds) {
     const auto half = static_cast<std::int64_t>(budget_seconds * 0.5e9);
     if (half < shortest_grace_ns) return shortest_grace_ns;
     return half < longest_grace_ns ? half : longest_grace_ns;
 }
 
-// Whether the additional time is over. A virtual machine counts time of its host as time of the thread, so the clock is
-// not enough: the timer must also have found the thread there repeatedly, at intervals of up to four ticks (the
-// resolution of timers of some systems).
+// Whether the additional time is over. In a virtual machine, time of other programs may count as time of the thread, so
+// the clock is not enough: the timer must also have interrupted the thread several times since the limit, on average at
+// least once in four periods (some systems have coarse timers).
 NEZUMI_IN_SIGNAL bool grace_is_over(const CallRecord& call, std::int64_t now) {
     const std::int64_t grace = grace_ns(call.budget_seconds);
     return now - call.expired_at > grace && call.looks_since_expiry > grace / (4 * ThreadTimer::period);
@@ -89,8 +89,9 @@ NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
 void watch_hook(lua_State* lua, lua_Debug*) {
     CallRecord* const call = current_call;
     if (call == nullptr) return free_hook(lua);
-    if (call->expired == 0) return free_hook(lua);  // left by a call that was stopped
-    // From here on every instruction ends here, also those of handlers and of to-be-closed variables.
+    if (call->expired == 0) return free_hook(lua);  // the hook remains from a call that was stopped
+    // The hook stays set: every further instruction raises the error again, also in handlers and in to-be-closed
+    // variables.
     raise_expiry(lua);
 }
 
@@ -175,7 +176,7 @@ bool watch_this_thread() {
     static const int once = [] {
         find_lua_text();
 #if !defined(NEZUMI_POLLS)
-        // The child of a fork has the variables of its parent, but not its timers.
+        // The child of a fork has the variables of its parent, but not its timers, so it must start its own.
         return pthread_atfork(nullptr, nullptr, forget_timer);
 #else
         return 0;
@@ -217,7 +218,7 @@ CallRecord::~CallRecord() {
 void finish_escape(CallRecord& outermost) {
     current_call = &outermost;
     while (lost_states != nullptr) lost_states = lost_states->replace_lost();
-    ThreadTimer::unblock();  // the handler never returned
+    ThreadTimer::unblock();  // still blocked, because the handler never returned
 }
 
 void raise_expiry(lua_State* lua) {

@@ -2,9 +2,9 @@
 //
 // A count hook slows Lua down, whatever its interval, so none is set while a call is within its time. Entering a call
 // adds a record to its thread, which takes a few nanoseconds. A timer of the thread's CPU time interrupts the thread
-// every few milliseconds, and its signal handler checks the age of the record. The handler sets a hook on the
-// running coroutine only if this exceeds the limit, and again at each interruption until the call has returned; so the
-// error is raised again if the script catches it (pcall, coroutines, __close).
+// every few milliseconds, and its signal handler checks the age of the record. The handler sets a hook on the running
+// coroutine only if the age exceeds the limit, and again at each interruption until the call has returned; so the error
+// is raised again if the script catches it (pcall, coroutines, __close).
 #pragma once
 
 #include <atomic>
@@ -55,14 +55,14 @@ public:
     std::int64_t pattern_steps = pattern_step_budget;
     const char* stack_base;  ///< the C stack at the outermost call of the thread
 
-    /// The way out of Lua's own C code, where no hook runs. Set by the outermost call of the thread, while
-    /// `can_escape`.
+    /// The target of the jump out of Lua's own C code, where no hook runs. Only of the outermost call of the thread,
+    /// and valid while `can_escape`.
     std::jmp_buf escape;
     volatile bool can_escape = false;
 
     lua_State* slice = nullptr;  ///< the coroutine that runs a slice, if one does
-    bool can_pause = false;      ///< code in it may end the slice
-    bool pausing = false;        ///< it has ended, and all coroutines in between yield
+    bool can_pause = false;      ///< code in the slice may pause, which ends the slice
+    bool pausing = false;        ///< the slice is pausing: all coroutines within it yield
 
     ScriptPlace expiry_place;      ///< where the script was stopped
     ScriptPlace error_place;       ///< where an error was raised
@@ -73,7 +73,7 @@ public:
     std::shared_ptr<const ErrorFrames> error_frames{};  ///< the functions that were running
     bool is_deep_recursion = false;                     ///< the error was raised within a deep recursion
     bool closes = false;           ///< a coroutine was closed that no longer exists when its error is handled
-    ScriptPlace closed;            ///< the file of the function in which it began; set if `closes`
+    ScriptPlace closed;            ///< the file in which that coroutine began; set if `closes`
     char closed_file[LUA_IDSIZE];  ///< the name of that file, as Lua shortens it in messages
     int slice_status = LUA_OK;     ///< the error of a failed slice, which is raised again and already has its location
 };
@@ -85,7 +85,8 @@ extern constinit thread_local CallRecord* current_call;
 /// Whether this is the coroutine of the innermost call or its slice: a coroutine for Lua, but not for the script.
 inline bool is_outside_coroutines(lua_State* lua) { return lua == current_call->base || lua == current_call->slice; }
 
-/// Raises the error of the time limit if it is reached. Library functions call this in their loops.
+/// `raise_expiry` raises the error of the time limit, `poll_budget` only if the limit is reached. Library functions
+/// call `poll_budget` in their loops.
 void raise_expiry(lua_State* lua);
 inline void poll_budget(lua_State* lua) {
     if (current_call->expired != 0) raise_expiry(lua);
@@ -112,28 +113,32 @@ private:
 /// time. `flag` must outlive the calls.
 void end_calls_when(const std::atomic<bool>& flag);
 
-/// Adds time that another thread used for the calls of this one [ns]. Ends them at their next step if the limit is
-/// reached or their flag is set.
+/// Adds time [ns] to the calls of this thread: time that another thread used for them, or, if negative, time of hooks
+/// that does not count. Ends the calls at their next step if the limit is reached or their flag is set.
 void charge_calls(std::int64_t nanoseconds);
 
 /// Ends the innermost call as if its time limit were reached; the script can't catch this. Raises a Lua error, so no
-/// object around it may need a destructor. If the state of the call was lost during a pause, jumps out of it.
+/// object around it may need a destructor. If the state of the call was lost during a pause, jumps out of the call
+/// instead.
 [[noreturn]] void end_call(lua_State* lua);
 
-/// Whether a hook of another use may be set: there is none, or only the one that looks at the time in a web page.
+/// Whether a hook for another purpose, such as a trace, may be set on this coroutine: it has none, or only the one that
+/// checks the time in a web page.
 bool has_free_hook(lua_State* lua);
-/// Removes a hook of another use.
+/// Removes a hook for another purpose.
 void free_hook(lua_State* lua);
-/// Called by hooks of other uses: ends a call that is over its time, where no timer does it. May raise a Lua error.
+/// Hooks for other purposes call this: in a web page, where there is no timer, it ends a call that is over its time
+/// limit. May raise a Lua error.
 void look_at_time(lua_State* lua);
 
-/// Starts watching the calls of this thread. False if this is impossible; then nothing may be called.
+/// Starts watching the calls of this thread. False if this is impossible; then no call into Lua may be made.
 bool watch_this_thread();
 
 /// Whether nested calls through C functions have used the C stack that scripts may use in this thread, 1 MB.
 bool c_stack_is_used_up();
 
-/// Raises "C stack overflow" in this case. For functions that call Lua where Lua itself does not count: coroutines.
+/// Raises the error "C stack overflow" if `c_stack_is_used_up`. For functions that call Lua where Lua itself does not
+/// count: coroutines.
 void check_c_stack(lua_State* lua);
 
 /// Stores the innermost line of running Lua code in `place`.

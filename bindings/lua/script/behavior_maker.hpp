@@ -11,21 +11,21 @@ namespace nezumi {
 
 /// Settings for all behaviours of a run.
 struct BehaviorSettings {
-    Project project;                                   ///< the project of their modules
+    Project project;                                   ///< the project with their files and modules
     Budget budget = paced_budget;                      ///< `headless_budget` in runs that do not follow real time
-    std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes] of each
+    std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes] of each behaviour
     ChunkCache* chunks = nullptr;  ///< must outlive the behaviours; null: every behaviour compiles its own code
 };
 
 /// Returns a function that finds the modules of a project.
 ModuleFinder modules_of(const Project& project);
-/// Finds the messages that its files define.
+/// Returns a function that finds the message types that files of a project define.
 MessageFinder messages_of(const Project& project);
 
-/// The initial parameter values of an entry: those of the set in use come before its `config`.
+/// The initial parameter values of an entry: those of the parameter set in use override those of `config`.
 ParameterValues values_at_start(const BehaviorEntry& entry);
 
-/// For `Makers::behavior`.
+/// Makes a behaviour; used for `Makers::behavior`.
 Expected<std::unique_ptr<ScriptComponent>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
                                                          const BehaviorSettings& settings);
 

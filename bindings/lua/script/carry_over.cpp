@@ -9,7 +9,8 @@
 namespace nezumi {
 namespace {
 
-// Gives a parameter its value without a set: the value of the system file, or its default if that does not fit.
+// Gives a parameter the value that it has if no parameter set is in use: the value of the system file, or the default
+// if there is none or it does not fit.
 void follow_config(const Component& component, const std::string& name, Parameters& settings) {
     const auto given = component.configured.find(name);
     if (given == component.configured.end() || !settings.set(name, given->second)) settings.follow_default(name);

@@ -10,11 +10,12 @@
 
 namespace nezumi {
 
-/// Whether both sets of values would load the same version; both belong to one version.
+/// Whether two copies of the parameters of one version have equal values, so that loading a script with either gives
+/// the same result.
 bool same_values(const Parameters& one, const Parameters& other);
 
-/// Reports the values whose parameters are gone, and those that no longer fit. `before` may lack the parameter set that
-/// `running` has in use.
+/// Warns about values whose parameters were removed, and about values that no longer fit. `running` has the values of
+/// the running version; `before` has the same, possibly without those of a parameter set that was left.
 void describe_lost(const Parameters& running, const Parameters& before, const Parameters& after,
                    std::vector<std::string>& warnings);
 
@@ -28,8 +29,9 @@ Expected<void> check_set(const Component& component, Parameters parameters);
 /// Changes `settings` to what they would be without the parameter set in use, except for values that were set later.
 void leave_set(const Component& component, Parameters& settings);
 
-/// Applies the choice of a parameter set since an earlier version to `settings` of that version: changes the parameters
-/// of all sets, except those that were set later. `with_own`: also choices by the component itself.
+/// Adapts `settings` of an earlier version, since which another parameter set was chosen: parameters that occur in any
+/// set get the value of the set in use, or their value without a set. Parameters that were set in the version that runs
+/// keep their value: those that were set from outside, and if `with_own`, also those that the component set itself.
 void follow_use(const Component& component, const Parameters& running, bool with_own, Parameters& settings);
 
 /// Reports the values of `state` that were dropped.

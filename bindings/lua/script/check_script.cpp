@@ -9,7 +9,7 @@ std::vector<Error> check_behavior(const SourceText& source, const ScriptContext&
     ScriptContext collecting = context;
     collecting.diagnostics = &diagnostics;
     auto script = Script::load(source, std::move(collecting));
-    // An error that ends loading may be a result of a wrong declaration.
+    // An error that ends loading may be a result of a wrong declaration, so it is not reported then.
     if (!diagnostics.empty()) return diagnostics;
     if (!script) return {std::move(script.error())};
     return {};

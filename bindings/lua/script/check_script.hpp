@@ -7,12 +7,11 @@
 
 namespace nezumi {
 
-/// All errors of this text in order of location: all that reading finds; if there are none, all wrong declarations; if
-/// there are none, the first error of loading; if there is none, all undeclared parameters that are used. Empty: it
-/// loads.
+/// The errors of the first of these steps that finds any, in order of location: compiling, declarations, loading (only
+/// one error), use of undeclared parameters. Empty if the file loads without an error.
 std::vector<Error> check_behavior(const SourceText& source, const ScriptContext& context);
 
-/// All errors in the text of a module, which is read but not run.
+/// All errors in the text of a module, which is compiled but not run.
 std::vector<Error> check_module(const SourceText& source);
 
 }  // namespace nezumi

@@ -23,7 +23,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-// The variables that each line of a text names: "config", or "config.speed" if the line has this.
+// The variables that each line of a text names, such as "config". For `config.speed` also "config.speed".
 std::map<int, std::vector<std::string>> names_by_line(std::string_view text) {
     using Kind = SyntaxNode::Kind;
     std::map<int, std::vector<std::string>> named;

@@ -6,7 +6,8 @@
 
 namespace nezumi {
 
-/// Adds the text of each line if the script knows it, and removes values that this text does not name.
+/// Adds its text to each line, if the script still has the text, and removes the values of variables that the text does
+/// not name.
 void add_texts(TracedLines& traced, const Script& script);
 
 }  // namespace nezumi

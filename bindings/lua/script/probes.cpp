@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view expected = "expected a number, a boolean, a string or a flat table of them";
 
-// Whether the table at `index` is flat and small. Raises no error, and leaves the stack unchanged.
+// Returns an error unless the table at `index` is flat and small. Raises no Lua error, and leaves the stack unchanged.
 Expected<void> check_flat(lua_State* L, int index) {
     const int top = lua_gettop(L);
     const int table = push_behind_lock(L, index) ? lua_gettop(L) : index;
@@ -30,7 +30,7 @@ Expected<void> check_flat(lua_State* L, int index) {
     lua_settop(L, top);
     if (!flat) return failure(fmt::format("{}, got a table that contains other values", expected));
     if (entries > Probes::most_entries)
-        return failure(fmt::format("a table has at most {} entries here", Probes::most_entries));
+        return failure(fmt::format("a table can have at most {} entries", Probes::most_entries));
     return {};
 }
 
@@ -43,12 +43,12 @@ Expected<PlainData> read_probe(lua_State* L, Budget budget) {
         return failure(fmt::format("{}, got {}", expected, Arguments{L}.kind(2)));
     }
     if (type == LUA_TSTRING && string_at(L, 2).size() > Probes::most_text)
-        return failure(fmt::format("its strings have at most {} bytes", Probes::most_text));
+        return failure(fmt::format("its strings can have at most {} bytes in all", Probes::most_text));
     std::vector<Dropped> dropped;
     auto value = take_plain(L, 1, budget, {"value"}, dropped);
     if (!value) return value;
     if (text_bytes(*value) > Probes::most_text)
-        return failure(fmt::format("its strings have at most {} bytes", Probes::most_text));
+        return failure(fmt::format("its strings can have at most {} bytes in all", Probes::most_text));
     return value;
 }
 
@@ -85,13 +85,13 @@ Expected<void> Probes::set(std::string_view name, PlainData value, double second
                         "at most {} of them",
                         shown(name.substr(0, longest_name)), longest_name));
     if (probes_.size() >= most)
-        return failure(fmt::format("probe '{}': a component has at most {} probes", name, most));
+        return failure(fmt::format("probe '{}': a component can have at most {} probes", name, most));
     probes_.push_back({std::string(name), std::move(value), seconds});
     return {};
 }
 
 void set_probe_global(lua_State* L, Script& script) {
-    // Without the metatable, which takes new globals for mistakes.
+    // Raw access, because the metatable of the globals refuses new globals.
     lua_pushliteral(L, "probe");
     lua_pushlightuserdata(L, &script);
     lua_pushcclosure(L, global_probe, 1);

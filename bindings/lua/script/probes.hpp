@@ -25,7 +25,7 @@ public:
     /// Sets a probe. An error if the name is not an identifier, or if there are too many probes.
     Expected<void> set(std::string_view name, PlainData value, double seconds);
     void clear() { probes_.clear(); }
-    /// In the order of their first use.
+    /// All probes, in the order of their first use.
     const std::vector<Probe>& all() const { return probes_; }
 
 private:

@@ -102,7 +102,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
         return failure("the file declares nothing: no port, parameter, command, task or callback", {file_.shown});
     }
     if (auto ok = check_parameters(code->parameters); !ok) return ok;
-    lua_gc(L, LUA_GCCOLLECT);  // collects garbage of loading; no code of the script runs in it
+    lua_gc(L, LUA_GCCOLLECT);  // collects the garbage of loading; this runs no code of the script
     seen_parameters_ = parameters_.version();
     phase_ = Phase::bound;
     return {};
@@ -110,7 +110,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
 
 Expected<void> Script::check_parameters(const std::vector<ParameterUse>& uses) const {
     std::vector<Error>* const diagnostics = context_.diagnostics;
-    // A wrong declaration declares nothing.
+    // A wrong declaration declares nothing, so correct uses of its parameter would be reported too.
     if (diagnostics != nullptr && !diagnostics->empty()) return {};
     std::vector<std::string_view> names;
     for (const auto& parameter : parameters_.all()) names.push_back(parameter.spec.name);
@@ -138,7 +138,7 @@ Expected<void> Script::begin_module(std::string_view name) {
     if (phase_ != Phase::loading)
         return failure(fmt::format(
             "require '{}': modules are loaded while the file loads; call require at the top of the file", name));
-    if (!context_.find_module) return failure(fmt::format("require '{}': there are no modules here", name));
+    if (!context_.find_module) return failure(fmt::format("require '{}': this script can't load modules", name));
     std::string chain;
     for (const LoadingModule& loading : loading_modules_) {
         if (loading.name == name || !chain.empty()) chain += loading.name + " requires ";
@@ -200,7 +200,7 @@ double Script::dt() const {
 }
 
 void Script::log(LogLevel level, std::string text) {
-    // Also after a step back in time.
+    // `abs`, because the time may also have gone back.
     if (std::abs(seconds() - logged_since_) >= 1) {
         logged_since_ = seconds();
         logged_bytes_ = 0;
@@ -239,7 +239,7 @@ void Script::discard_unsafe() {
     }
 }
 
-// Arguments: the script, the callback. Its function may be missing.
+// Lua arguments: the script, the callback. The script may not have defined this callback.
 int Script::call_with_tasks(lua_State* L) {
     auto& script = *static_cast<Script*>(lua_touserdata(L, 1));
     const auto hook = static_cast<Hook>(lua_tointeger(L, 2));
@@ -248,7 +248,7 @@ int Script::call_with_tasks(lua_State* L) {
         script.tasks_.run(L, script.seconds());
     } else {
         script.tasks_.end(L, script.seconds());
-        // Values that tasks write while they are closed are discarded: the safe values count.
+        // On a port with a safe value, this value is written, and not what tasks wrote while they were closed.
         if (hook == Hook::on_deactivated) script.discard_unsafe();
     }
     const int function = script.hooks_[static_cast<std::size_t>(hook)];
@@ -329,7 +329,7 @@ Expected<PlainData> Script::call_command(std::string_view name, const PlainData&
     return results;
 }
 
-// `body` gets the table on top of the stack.
+// Calls `body` with the table `state` on top of the stack.
 template <class Body>
 std::invoke_result_t<Body, lua_State*> Script::with_state(Body&& body) {
     lua_State* L = lua_->lua();
@@ -379,8 +379,8 @@ constexpr std::pair<std::string_view, std::string_view> cures[] = {
     {"attempt to perform arithmetic on a string value", ".. joins strings in Lua"},
     {"pairs' (table expected, got nil)", "was it set under this name? `x or {}` gives an empty table if x is nil"},
     {"attempt to call a table value (for iterator", "write `for i, value in ipairs(list) do`"},
-    {"attempt to compare number with table", "a list has elements: list[1] is the first"},
-    {"attempt to compare table with number", "a list has elements: list[1] is the first"},
+    {"attempt to compare number with table", "a list is not a number: list[1] is its first element"},
+    {"attempt to compare table with number", "a list is not a number: list[1] is its first element"},
     {" a port value", "a port is not its value: read it first, with `:read()`"},
 };
 
@@ -388,12 +388,14 @@ constexpr std::pair<std::string_view, std::string_view> cures[] = {
 
 std::string Script::hint(const Error& error) const {
     const auto says = [&](std::string_view text) { return error.message.find(text) != std::string::npos; };
-    // Lua knows no name of an element: the nil value is "field '?'", or has no name in a comparison or a loop.
+    // Lua has no name for an element: in its message the nil value is "field '?'", or has no name in a comparison or a
+    // loop.
     const bool of_an_element = says("nil value (field '?')") || says("nil value (field 'integer index')") ||
                                (says("attempt to compare ") && says("nil")) || (says("bad 'for' ") && says("got nil)"));
     if (of_an_element && missing_.port != nullptr && missing_.place.line == error.place.line &&
         missing_.place.file == error.place.file) {
-        return fmt::format(": element {} of {} of {}", missing_.index, missing_.count, port_title(*missing_.port));
+        return fmt::format(": there is no element {} among the {} of {}", missing_.index, missing_.count,
+                           port_title(*missing_.port));
     }
     if (says("attempt to perform arithmetic on a string value") && !says("constant")) return "";
     for (const auto& [message, cure] : cures) {
@@ -401,9 +403,8 @@ std::string Script::hint(const Error& error) const {
     }
     // A reload resets locals, and does not call on_activated again, which may have set them.
     if (was_activated_ || context_.version == 1 || !says("nil value (upvalue '")) return "";
-    return "; a reload makes the file's locals new and does not run on_activated again: set it at the top of the file "
-           "or in "
-           "on_reload, or keep it in `state`";
+    return "; a reload resets the file's locals and does not run on_activated again: set the variable at the "
+           "top of the file or in on_reload, or keep its value in `state`";
 }
 
 }  // namespace nezumi

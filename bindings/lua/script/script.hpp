@@ -31,17 +31,17 @@ class Script;
 
 /// The context in which a script is loaded.
 struct ScriptContext {
-    std::string component;                             ///< its name
+    std::string component;                             ///< the name of the component
     std::uint64_t seed = 0;                            ///< of the run
     int version = 1;                                   ///< the number of this version
     Budget budget = paced_budget;                      ///< of every call into the script, also of loading
     std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes]
     ModuleFinder find_module;                          ///< empty: there are no modules
-    MessageFinder find_message;                        ///< empty: only those that are compiled in
+    MessageFinder find_message;                        ///< empty: only message types that this program contains
     ChunkCache* chunks = nullptr;  ///< shares compiled code among components; may be null, must outlive them
-    ParameterValues configured;    ///< values of a system file, so that the file's top level reads them
-    double tick_rate = 100;        ///< [Hz]; `dt` before the first execution
-    double seconds = 0;            ///< `now()` while it loads
+    ParameterValues configured;    ///< parameter values of a system file, which the top level of the script can read
+    double tick_rate = 100;        ///< [Hz] for `dt` before the first execution
+    double seconds = 0;            ///< `now()` while the script loads
     std::vector<Error>* diagnostics = nullptr;  ///< gets the errors of declarations while loading continues; null:
                                                 ///< the first error ends loading
 };
@@ -62,13 +62,13 @@ struct PortDeclaration {
     }
 };
 
-/// The port behind a port object in Lua, which stores this address.
+/// The port of a port object in Lua. The object stores the address of this slot.
 struct PortSlot {
     Script* script = nullptr;
     const PortDeclaration* declaration = nullptr;
-    const void* object = nullptr;  ///< the Lua object, to recognize it
+    const void* object = nullptr;  ///< address of the Lua object, to check `self`
     Port* port = nullptr;          ///< null while the file loads
-    bool live = false;             ///< it may be read and written, because its version is the one that runs
+    bool live = false;             ///< scripts may read and write the port, because their version is the one that runs
 };
 
 /// `about { ... }`.
@@ -81,15 +81,15 @@ struct ScriptAbout {
 struct Inheritance {
     const Parameters* parameters = nullptr;       ///< values that were set and still fit are kept
     const PlainData* state = nullptr;             ///< the contents of `state`
-    std::vector<ScriptFile>* required = nullptr;  ///< gets every module that is required
-    /// If set, `state` follows with `take_state_over`, and this becomes true if the top level reads `state` or the
-    /// time.
+    std::vector<ScriptFile>* required = nullptr;  ///< gets every file that loading reads: modules, messages
+    /// If not null, `state` is set later by `take_state_over`, and this becomes true if the top level reads `state` or
+    /// the time.
     bool* looks_at_tick = nullptr;
 };
 
 class Script {
 public:
-    /// Runs the top level of a file, which only declares. May run in another thread than the tick.
+    /// Runs the top level of a file, which only declares. May be called in another thread than that of the ticks.
     static Expected<std::unique_ptr<Script>> load(const SourceText& source, ScriptContext context,
                                                   const Inheritance& inheritance = {});
 
@@ -100,7 +100,7 @@ public:
     /// The file without its text.
     const ScriptFile& file() const { return file_; }
     const ScriptContext& context() const { return context_; }
-    /// The text of the file or of a module with this name in messages; "" if it is no longer known.
+    /// The text of the file or module that has this name in messages; "" if the text is no longer known.
     std::string text_of(std::string_view shown) const;
     /// The files that `require` loaded, directly or not, and those that define its messages.
     const std::vector<ScriptFile>& modules() const { return modules_; }
@@ -117,10 +117,11 @@ public:
     bool has(Hook hook) const { return hooks_[static_cast<std::size_t>(hook)] != LUA_NOREF; }
     /// The parameters of the component while this version runs; before, those that the file declares.
     Parameters& parameters();
-    /// The declared parameters, for the component.
+    /// Moves the declared parameters to the component.
     Parameters take_parameters() { return std::exchange(parameters_, {}); }
 
-    /// Connects the script to this component: it sees its time and name. Its ports can't be written until `go_live`.
+    /// Connects the script to its component, whose time and state it then sees. The script can't write to its ports
+    /// until `go_live`.
     void bind(Component& owner);
     /// Sets the limit of every further call.
     void set_budget(Budget budget) { context_.budget = budget; }
@@ -130,18 +131,20 @@ public:
     void note_look_at_tick() {
         if (inheritance_.looks_at_tick != nullptr) *inheritance_.looks_at_tick = true;
     }
-    /// Sets the `state` that was announced at loading.
+    /// Sets `state` after a load with `Inheritance::looks_at_tick`.
     Expected<void> take_state_over(const PlainData& state);
-    /// Opens or closes the ports: whether this version is the one that runs. Their slots must be filled.
+    /// Opens the ports to the script, if this version is now the one that runs, or closes them. The slots must have
+    /// their ports.
     void go_live(bool live);
 
-    /// The part of a budget that is reserved for `on_aborting`: all callbacks of a tick share one budget.
+    /// The part of a budget that remains for further calls in a tick in which a call failed late: see
+    /// `has_used_its_tick`.
     static constexpr double reserve = 0.1;
     /// Calls a callback, if the script has it. Tasks start with `on_activated`, run before `on_execute`, and end before
     /// the other callbacks.
     Expected<void> call(Hook hook);
-    /// Whether the last failed call used more than the budget without the reserve; then only the reserve is left for
-    /// this tick.
+    /// Whether the last failed call used more than the part `reserve` of its budget. Then a further call in this tick,
+    /// such as `on_aborting`, gets only this part, so that both together take little more than one budget.
     bool has_used_its_tick() const { return failed_seconds_ > context_.budget.seconds * reserve; }
     /// Calls `on_reload(old_version)`.
     Expected<void> call_on_reload(int old_version);
@@ -149,7 +152,7 @@ public:
     Expected<PlainData> call_command(std::string_view name, const PlainData& arguments);
     /// A copy of the script's `state`. `dropped` gets the values that are not plain data.
     Expected<PlainData> take_state(std::vector<Dropped>& dropped);
-    /// A part of `state` within a limit.
+    /// A copy of `state` within a limit: tables beyond it are left out.
     Expected<PlainSnapshot> state_snapshot(const PlainLimit& limit, std::vector<Dropped>* dropped = nullptr);
     /// Calls `set_plain` for `state`.
     Expected<void> set_state(const PlainData& data);
@@ -178,7 +181,8 @@ public:
     double dt() const;
     void log(LogLevel level, std::string text);
 
-    /// An element that a message does not have. An error of the same line names it.
+    /// An element that the script read, although the message does not have it. An error in the same line names the
+    /// element.
     struct MissingElement {
         CallRecord::ScriptPlace place;
         lua_Integer index = 0;
@@ -187,7 +191,7 @@ public:
     };
     void note_missing(const MissingElement& element) { missing_ = element; }
 
-    /// A message type by its name, of a file too while this one loads.
+    /// A message type by its name. While the script loads, message files are searched too.
     Expected<const MessageType*> find_message(std::string_view name);
     Expected<PortSlot*> declare_port(PortDeclaration declaration);
     Expected<void> declare_parameter(ParameterSpec spec);
@@ -195,15 +199,16 @@ public:
     Expected<void> declare_command(CommandDeclaration declaration, int function);
     Expected<void> declare_about(ScriptAbout about);
     Expected<void> declare_task(Task task);
-    /// Whether tasks can be started and cancelled now.
+    /// Returns an error unless tasks can be started and cancelled now.
     Expected<void> check_tasks_run(std::string_view function) const;
-    /// The callback that this global may define now, with a value of this Lua type.
+    /// The index of the callback that an assignment of this Lua type to this global defines. An error if the name is
+    /// not a callback, or can't be defined now.
     Expected<std::size_t> check_hook(std::string_view name, std::string_view type) const;
     void set_hook(std::size_t hook, int function, int line);
     /// The registry reference of a callback; LUA_REFNIL if it is not defined, LUA_NOREF if there is no such callback.
     int hook_function(std::string_view name) const;
-    /// Finds and compiles a module. Its code is then `module_chunk`, which must be run before `end_module`, even if it
-    /// fails.
+    /// Finds and compiles a module. Then run `module_chunk`, its code, and call `end_module` afterwards, even if the
+    /// code fails.
     Expected<void> begin_module(std::string_view name);
     void end_module();
     const Chunk& module_chunk() const { return module_.chunk; }
@@ -240,7 +245,7 @@ private:
     std::vector<ScriptFile> modules_;
     std::vector<LoadingModule> loading_modules_;
     std::optional<Error> module_error_;
-    ScriptCode module_;  // the one that loads
+    ScriptCode module_;  // the module that loads
     Coverage* coverage_ = nullptr;
     std::list<PortDeclaration> ports_;
     std::list<PortSlot> slots_;
@@ -253,7 +258,7 @@ private:
     std::vector<std::pair<LogLevel, std::string>> early_log_;
     double failed_seconds_ = 0;  // CPU time of the last failed call
     MissingElement missing_{};   // the last one of this execution
-    // The members from here on, and the port of the last one, are used in every tick.
+    // The members below, and `missing_.port`, are used in every tick.
     Tasks tasks_;
     std::array<int, 9> hooks_{};     // registry references, by Hook
     std::size_t written_bytes_ = 0;  // in this execution

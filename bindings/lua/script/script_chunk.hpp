@@ -23,11 +23,11 @@ struct ParameterUse {
     int column = 0;
 };
 
-/// A text as code.
+/// A compiled script or module.
 struct ScriptCode {
     Chunk chunk;
     std::vector<ParameterUse> parameters;  ///< in order of location
-    Coverage::Source* covered = nullptr;   ///< gets the marks of the chunk, which its main function has as argument
+    Coverage::Source* covered = nullptr;   ///< gets the marks that the main function sets; null: the code has none
 };
 
 /// Compiles a text, or returns all its mistakes in order of location.
@@ -36,7 +36,7 @@ tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& so
 /// Stores the newest code of every file. Several threads may use it.
 class ChunkCache {
 public:
-    /// With `coverage`, which must outlive this, all code has marks.
+    /// With `coverage`, which must outlive this, all code gets marks of executed lines.
     explicit ChunkCache(Coverage* coverage = nullptr) : coverage_(coverage) {}
     Coverage* coverage() const { return coverage_; }
 
@@ -44,7 +44,7 @@ public:
     Expected<ScriptCode> compile(const SourceText& source, ScriptKind kind);
     /// Takes over all code of another cache.
     void take(ChunkCache& other);
-    /// The text of this file; "" if the file has changed since.
+    /// The text of this version of a file; "" if the cache has only another version, or none.
     std::string text_of(const ScriptFile& file) const;
 
 private:

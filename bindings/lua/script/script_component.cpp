@@ -21,7 +21,7 @@ auto find_fitting(Ports& ports, const PortDeclaration& declaration) {
                         [&](const auto& port) { return port != nullptr && declaration.fits(*port); });
 }
 
-// Removes the port that fits from `ports` and returns it, or null.
+// Removes the port that fits the declaration from `ports` and returns it; null if there is none.
 template <class Ports>
 auto take_fitting(Ports& ports, const PortDeclaration& declaration) {
     typename Ports::value_type taken;
@@ -156,7 +156,7 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const Loading& loadi
         next.warnings.push_back(fmt::format("set '{}' is no longer valid, and no set is in use now: {}",
                                             shown(set_in_use()), fits.error().message));
         leave_set(*this, settings);
-        auto script = load();  // its top level may have read a value of that parameter set
+        auto script = load();  // again, because the top level may have read a value of that parameter set
         if (!script) return Unexpected(script.error());
         loaded = std::move(*script);
     }
@@ -224,7 +224,8 @@ void ScriptComponent::go_back(bool keep_settings) {
     Version back = std::move(past_.back());
     past_.pop_back();
     const bool was_on_probation = !keep_settings || on_probation();
-    const bool set_went = !back.set.empty() && back.set != set_in_use() && back.uses == uses();  // by the reload
+    // The reload ended the use of the parameter set.
+    const bool set_went = !back.set.empty() && back.set != set_in_use() && back.uses == uses();
     const Parameters its = back.parameters;
     if (keep_settings) {
         back.parameters.adopt(parameters_);
@@ -244,7 +245,8 @@ void ScriptComponent::go_back(bool keep_settings) {
     make_ports(back);
     fill_slots(back);
     probation_left_ = past_.empty() ? 0 : back.probation_left;
-    // Its tasks continue, unless all have been ended since. Messages wait unless the ports were emptied.
+    // If the component was not activated again since then, the tasks of the version continue, and messages that were
+    // dropped in a probation are put back. An activation starts all tasks and empties the ports.
     const bool is_same = back.activation == activation_;
     if (state() == LifeState::active && !is_same) back.script->tasks().start_all(now().seconds);
     std::vector<DroppedMessages> dropped = std::exchange(back.dropped, {});
@@ -307,7 +309,7 @@ Expected<void> ScriptComponent::execute_measured() {
     return ok;
 }
 
-// Takes the time of an execution, for a hint.
+// Measures an execution, and logs a hint if the script is often slow.
 Expected<void> ScriptComponent::execute_checked() {
     if (slow_executions_ < 0 || script_->context().budget.seconds > paced_budget.seconds) return execute_once();
     const std::int64_t began = thread_time();
@@ -320,14 +322,14 @@ Expected<void> ScriptComponent::execute_checked() {
     if (slow_executions_ < enough) return ok;
     slow_executions_ = -1;
     log(LogLevel::info, fmt::format("an execution takes {:.1f} ms, {:.0f} % of a tick: profile(5, {}) at the console "
-                                    "shows its lines",
+                                    "shows the time of each line",
                                     seconds * 1e3, 100 * seconds / tick, name()));
     return ok;
 }
 
 Expected<void> ScriptComponent::execute_on_probation() {
-    if (!relapses_.empty() && !relapses_.back().went_back) return {};  // it waits to be taken back
-    // The execution of each version is a call of its own, so a replay knows which of them ran out of time.
+    if (!relapses_.empty() && !relapses_.back().went_back) return {};  // waits until the reload is undone
+    // Each version executes in a separate `run`, so a replay knows which of them ran out of time.
     const auto execute = [this] { return run(Hook::on_execute, [this] { return script_->call(Hook::on_execute); }); };
     auto ok = execute();
     if (ok) {
@@ -341,8 +343,8 @@ Expected<void> ScriptComponent::execute_on_probation() {
                          .execution = probation - probation_left_ + 1,
                          .reload = before.replaced_by});
     Relapse& relapse = relapses_.back();
-    // If both have the same ports, the version before can run in this tick, unless the time of the tick is used up. The
-    // used time must not decide, because equal runs would differ.
+    // If both versions have the same ports, the version before can run in this tick, unless this one was stopped at its
+    // time limit. The measured time must not decide this, because equal runs would differ.
     if (relapse.error.kind == Error::Kind::out_of_time || !before.in_ports.empty() || !before.out_ports.empty() ||
         !ports_going(before).empty())
         return {};
@@ -394,7 +396,7 @@ ScriptComponent::Version ScriptComponent::replace(Version next) {
     version_ = next.number;
     newest_ = std::max(newest_, version_);
     script_->go_live(true);
-    if (old.script != nullptr) tell_early_log();  // of the first version, when a system takes the component
+    if (old.script != nullptr) tell_early_log();  // for the first version, `set_log` does this
     for (const std::string& warning : next.warnings) log(LogLevel::warn, warning);
     return old;
 }
@@ -408,7 +410,7 @@ void ScriptComponent::tell_early_log() {
     for (const auto& [level, text] : script_->take_early_log()) log(level, text);
 }
 
-// Makes the ports that neither the running version has nor exist from before.
+// Makes the ports of `next` that neither the running version nor `next` has yet.
 void ScriptComponent::make_ports(Version& next) const {
     for (const PortDeclaration& declaration : next.script->ports()) {
         if (declaration.direction == Direction::in) {

@@ -20,8 +20,8 @@ namespace nezumi {
 
 class ScriptComponent final : public Component {
 public:
-    /// Makes a component with this name from the text of its file; it is INACTIVE. `context.component` is set to the
-    /// name.
+    /// Makes a component with this name from the text of its file. The component is INACTIVE. `context.component` is
+    /// set to the name.
     static Expected<std::unique_ptr<ScriptComponent>> load(std::string name, const SourceText& source,
                                                            ScriptContext context);
 
@@ -43,7 +43,7 @@ public:
     std::vector<TaskStatus> tasks() const override { return script_->tasks().status(now().seconds); }
     std::span<const Probe> probes() const override { return script_->probes().all(); }
     bool visit_member(std::string_view member, const LeafVisitor& visit) const override;
-    /// Output of the script while it loaded is sent first.
+    /// Sends what the script logged while it loaded, then all further lines.
     void set_log(LogSink sink) override;
 
     std::int64_t trace_next() override {
@@ -53,13 +53,14 @@ public:
     std::int64_t traces() const override { return traces_; }
     TracedLines latest_trace() const override { return latest_trace_; }
 
-    // Looks at executions, which change nothing about them. Each has an owner, who ends it.
+    // Observes executions without changing them. The caller that begins an observation must also end it.
 
-    /// Notes the executions of these lines from now on, with a trace of each execution; none: no more for this owner.
+    /// From now on, records each time that one of these lines runs (see `hits`), and a trace of each execution. An
+    /// empty list ends this for the owner.
     void watch_lines(const void* owner, std::vector<LineTrace::Watched> lines) const;
     /// The watched lines in the execution of `latest_trace`.
     const std::vector<LineTrace::Hit>& hits() const { return hits_; }
-    /// Measures each execution from now on. Null: ends it. It must outlive that.
+    /// Measures each execution from now on. `profile` must exist until this is ended, by a call with null.
     void measure_with(ExecutionProfile* profile) const { profile_ = profile; }
 
     // The steps of a reload. They are only useful together: `Reloader` makes a transaction of them.
@@ -70,17 +71,17 @@ public:
         std::vector<AnyMessage> messages;
     };
 
-    /// A version that does not run now, with the ports that only it has.
+    /// A version that does not run now, with the ports that only this version has.
     struct Version {
         std::unique_ptr<Script> script;
         int number = 0;
         Parameters parameters;
         std::vector<std::unique_ptr<InPortBase>> in_ports;
         std::vector<std::unique_ptr<OutPortBase>> out_ports;
-        std::vector<DroppedMessages> dropped{};  ///< when a version with shorter queues came
+        std::vector<DroppedMessages> dropped{};  ///< when a version with shorter queues replaced this one
         std::vector<std::string> warnings;       ///< parts of the version before that could not be taken over
         int replaced_by = 0;                     ///< number of the reload that replaced it
-        std::string set{};                       ///< that was in use then; "": none
+        std::string set{};                       ///< the parameter set that was in use then; "": none
         std::uint64_t uses = 0;                  ///< how often a parameter set had been chosen until then
         int activation = 0;  ///< number of the activation in which it was active: its tasks belong to this activation
         int probation_left = 0;  ///< remaining executions of its probation
@@ -92,19 +93,21 @@ public:
         ScriptContext context;
         Parameters parameters{};  ///< of the running version, with values that are set for the next tick
     };
-    /// The context of the next version, without its text, its modules and its code cache.
+    /// The context of the next version. The caller must add its text, the finders of modules and messages, and the code
+    /// cache.
     Loading next_loading() const;
     /// Loads a version in any thread, while ticks go on. Null: its top level reads `state` or the time, so it must be
-    /// loaded in the tick of the commit. `required` gets the modules that it required, also if it fails.
+    /// loaded in the tick of the commit. `required` gets the files of modules and messages that were read, also after
+    /// an error.
     static Expected<std::unique_ptr<Script>> load_beside(const Loading& loading, std::vector<ScriptFile>& required);
 
-    /// Makes a version that takes over the present state and parameters. Loads it here if `loaded` is null, or was
-    /// loaded with other parameters. Changes nothing.
+    /// Makes a version that takes over the present state and parameters. Loads the script itself if `loaded` is null,
+    /// or was loaded with other parameters. Does not change the running version.
     Expected<Version> prepare(const Loading& loading, std::unique_ptr<Script> loaded, const Time& now,
                               std::vector<ScriptFile>& required);
-    /// Makes the ports that it needs and calls its `on_reload`. Changes nothing.
+    /// Makes the ports that `next` needs and calls its `on_reload`. Does not change the running version.
     Expected<void> adopt(Version& next, const Time& now);
-    /// The ports that do not exist in another version. They must be disconnected before it replaces this one.
+    /// The ports that do not exist in another version. They must be disconnected before that version replaces this one.
     std::vector<Port*> ports_going(const Version& other) const;
     /// Replaces the running version between two ticks; can't fail. Ports that fit stay the same objects and keep their
     /// messages. The old version is kept.
@@ -114,8 +117,8 @@ public:
     const Version* version_before() const { return past_.empty() ? nullptr : &past_.back(); }
     /// Goes back to the version before, with its state and the rest of its probation. Parameters keep values that were
     /// set from outside since then; with `keep_settings` also values that the component set. A parameter set that the
-    /// reload left is in use again, unless another one was chosen since. After a probation, messages that a shorter
-    /// queue dropped are back.
+    /// reload left is in use again, unless another one was chosen since. If this version is on probation, messages that
+    /// its shorter queues dropped are put back.
     void go_back(bool keep_settings);
 
     /// Number of executions in the probation of a new version: if one fails, the version before replaces it.
@@ -128,10 +131,11 @@ public:
         int reload = 0;          ///< number of the reload that brought the version
         bool went_back = false;  ///< the version before has already run in this tick; otherwise the component waits
     };
-    /// From now on, an error does not lead to ERROR.
+    /// During the next `probation` executions, an error leads back to the version before, and not to ERROR.
     void begin_probation();
     bool on_probation() const { return probation_left_ > 0; }
-    /// The failures since the last call. There are several if a version that came back failed in the same tick.
+    /// The failures since the last call of this function. There are several if a version that came back failed in the
+    /// same tick.
     std::vector<Relapse> take_relapses() { return std::exchange(relapses_, {}); }
 
 protected:
@@ -191,7 +195,7 @@ private:
     std::vector<LineTrace::Hit> hits_{};
     mutable ExecutionProfile* profile_ = nullptr;
     std::uint32_t executions_ = 0;
-    int slow_executions_ = 0;  // one after the other, of the measured ones; -1: this was reported
+    int slow_executions_ = 0;  // consecutive slow ones of the measured executions; -1: already reported
 };
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// The object has no fields of its own, and reads from a table that scripts can't reach.
+// The object `config` has no fields: reading a field reads from a table that scripts can't reach.
 #include "bindings/lua/script/script_config.hpp"
 
 #include <fmt/format.h>

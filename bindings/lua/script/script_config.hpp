@@ -11,11 +11,11 @@ namespace nezumi {
 
 /// Pushes the object `config` without values.
 void push_config(lua_State* L, Script& script);
-/// Pushes the table with its values. Raises no error.
+/// Pushes the table with the values of `config`. Raises no error.
 void push_config_values(lua_State* L);
-/// Updates one value.
+/// Updates one value of `config`.
 void show_parameter(lua_State* L, const Parameters::Parameter& parameter);
-/// Updates all values.
+/// Updates all values of `config`.
 void show_parameters(lua_State* L, const Parameters& parameters);
 
 }  // namespace nezumi

@@ -18,7 +18,7 @@
 namespace nezumi {
 namespace {
 
-// Afterwards all arguments of a function are on the stack; omitted ones are nil.
+// Checks the number of arguments. Then the stack has `most` arguments; omitted ones are nil.
 Expected<void> take_arguments(lua_State* L, std::string_view function, int most, std::string_view usage) {
     auto ok = Arguments{L}.at_most(function, most, usage);
     if (ok) lua_settop(L, most);
@@ -87,7 +87,7 @@ int global_port(lua_State* L, Direction direction) {
     if (declared) {
         push_port_object(L, *slot);
     } else {
-        lua_newtable(L);  // in place of the port
+        lua_newtable(L);  // in place of the port, so that loading can continue
     }
     return 1;
 }

@@ -7,7 +7,7 @@
 
 namespace nezumi {
 
-/// Sets them in the table on top of the stack. May raise a Lua error (memory).
+/// Sets these globals in the table on top of the stack. May raise a Lua error (memory).
 void set_declaring_globals(lua_State* L, Script& script);
 
 }  // namespace nezumi

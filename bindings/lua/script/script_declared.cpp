@@ -19,10 +19,10 @@ constexpr std::size_t most_of_a_kind = 1000;
 
 Expected<void> check_count(std::size_t count, std::string_view kind, std::string_view name, std::string_view kinds) {
     if (count < most_of_a_kind) return {};
-    return failure(fmt::format("{} '{}': a component has at most {} {}", kind, name, most_of_a_kind, kinds));
+    return failure(fmt::format("{} '{}': a component can have at most {} {}", kind, name, most_of_a_kind, kinds));
 }
 
-// "input 'in'" for the first declaration with this name, and its line.
+// " (first in line 3)" for the place of an earlier declaration; "" if its line is unknown.
 std::string first_in(const Place& place) {
     return place.line > 0 ? fmt::format(" (first in line {})", place.line) : "";
 }
@@ -118,7 +118,7 @@ Expected<void> Script::declare_command(CommandDeclaration declaration, int funct
 
 Expected<void> Script::declare_about(ScriptAbout about) {
     if (auto ok = check_loading("about"); !ok) return ok;
-    if (about_.given) return failure("about is given twice");
+    if (about_.given) return failure("about: a file can have only one");
     about_ = std::move(about);
     return {};
 }
@@ -133,8 +133,8 @@ Expected<void> Script::declare_task(Task task) {
 Expected<void> Script::check_tasks_run(std::string_view function) const {
     if (phase_ == Phase::loading) return failure(fmt::format("{} can't be called while the file loads", function));
     if (owner_->state() == LifeState::active) return {};
-    return failure(
-        fmt::format("{}: tasks run while the component is ACTIVE, it is {}", function, to_text(owner_->state())));
+    return failure(fmt::format("{}: tasks run only while the component is ACTIVE, and it is {}", function,
+                               to_text(owner_->state())));
 }
 
 Expected<std::size_t> Script::check_hook(std::string_view name, std::string_view type) const {

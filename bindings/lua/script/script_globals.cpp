@@ -1,5 +1,5 @@
-// Every global is a C function with its script as an upvalue. It reads from Lua without raising errors, and raises only
-// at its end.
+// Every global function is a C function with its script as an upvalue. It reads from Lua without raising errors, and
+// raises an error only at its end, when its C++ objects are destroyed.
 #include "bindings/lua/script/script_globals.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace nezumi {
 namespace {
 
-// Their addresses are keys of the registry.
+// The addresses of these variables are keys of the registry.
 constexpr char state_key = 0;
 constexpr char modules_key = 0;
 
@@ -99,7 +99,7 @@ int global_require(lua_State* L) {
         const int arguments = script.push_module_marks(L);
         if (is_outside_coroutines(L)) {
             lua_call(L, arguments, 1);
-        } else if (lua_pcall(L, arguments, 1, 0) != LUA_OK) {  // a failed coroutine must be closed explicitly
+        } else if (lua_pcall(L, arguments, 1, 0) != LUA_OK) {  // in a coroutine, an error alone closes nothing
             lua_closeslot(L, 3);
             lua_error(L);
         }
@@ -138,7 +138,7 @@ int global_newindex(lua_State* L) {
     return 0;
 }
 
-// `dt` and the globals of tasks and probes cost time only for scripts that use them.
+// `__index` of the globals: finds `dt`, callbacks, and globals that do not exist before their first use.
 int global_index(lua_State* L) {
     Script& script = script_of(L);
     if (lua_type(L, 2) == LUA_TSTRING && string_at(L, 2) == "dt") {

@@ -17,10 +17,10 @@ void install_globals(lua_State* L, Script& script);
 /// Sets `state` to a copy of this data, or to an empty table. May raise a Lua error (memory).
 void set_state_global(lua_State* L, const PlainData* state);
 
-/// Their names, without those of the library.
+/// The names of all globals of scripts, without those of Lua's library.
 const std::vector<std::string_view>& script_globals();
 
-/// Pushes the table behind `state`. May raise a Lua error (memory).
+/// Pushes the table `state`. Raises no error.
 void push_state(lua_State* L);
 
 }  // namespace nezumi

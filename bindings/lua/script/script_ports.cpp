@@ -32,8 +32,8 @@ int refuse_surplus(lua_State* L, const PortSlot& slot, const char* method, int m
     return bridge(L, [&] { return Arguments{L, 2}.at_most(title(slot) + ":" + method, most, usage); });
 }
 
-// The reason that the port can't be written now; empty if it can. Only an ACTIVE component can write. On the way to and
-// from ERROR, everything except velocities can still be written.
+// The reason that the port can't be written now; empty if it can. Only an ACTIVE component can write. In the callbacks
+// of a component in ERROR, all types except velocities can still be written.
 std::string refuse_write(const PortSlot& slot) {
     if (!slot.live) return fmt::format("{}: on_reload can't write; the next execution can", title(slot));
     const Component& owner = *slot.script->owner();
@@ -56,7 +56,7 @@ std::string refuse_write(const PortSlot& slot) {
     return "";
 }
 
-// A stack that grows here shrinks again in the next cycle of the garbage collector.
+// Grows the stack only if it must: the garbage collector shrinks it again, so each growth would be repeated.
 template <Held T>
 void reserve_stack(lua_State* L) {
     constexpr int most_arguments = 2;
@@ -71,7 +71,7 @@ int port_read(lua_State* L) {
     if (slot.port == nullptr) return refuse_while_loading(L, slot, "read");
     reserve_stack<T>(L);
     auto& port = *static_cast<InPort<T>*>(slot.port);
-    // on_reload may look, the version before may need it
+    // In on_reload the message stays unread, because the version before may still need it.
     const T& value = slot.live ? port.read() : port.latest().data;
     if constexpr (std::is_same_v<T, Value>) {
         push_payload(L, value);
@@ -86,7 +86,7 @@ int port_read(lua_State* L) {
 }
 
 // __index of a received sequence: returns nil as for any table, and remembers the element, so that an error in the same
-// line can name it. A C function has no line.
+// line can name it. If a C function reads the element, there is no line, and nothing is remembered.
 int missing_element(lua_State* L) {
     const PortSlot& slot = slot_of(L);
     lua_Debug activation;
@@ -144,7 +144,8 @@ int port_write(lua_State* L) {
     return raise_kept(L);
 }
 
-// The stamp of the value that a read returns; with a queue, the stamp of the message read last, if there is one.
+// The time stamp of the value that `read` returns. With a queue, the stamp of the message that was read last; if none
+// was read, that of the latest message.
 template <Held T>
 double stamp(const InPortBase& port) {
     const double taken = static_cast<const InPort<T>&>(port).current().tm;

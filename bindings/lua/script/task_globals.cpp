@@ -55,8 +55,8 @@ int global_start(lua_State* L) {
 
 Expected<void> check_can_wait(lua_State* L, const Tasks& tasks, std::string_view function) {
     if (tasks.closes())
-        return failure(
-            fmt::format("{} can't be called here: the task is being ended, and what it closes can't wait", function));
+        return failure(fmt::format(
+            "{} can't be called here: the task is being ended, and the closing of its variables can't wait", function));
     if (tasks.current() == nullptr)
         return failure(fmt::format("{} can only be called in a task: task(\"name\", function() ... end)", function));
     if (can_pause(L)) return {};
@@ -66,7 +66,7 @@ Expected<void> check_can_wait(lua_State* L, const Tasks& tasks, std::string_view
 
 int never_goes_on(lua_State*, int, lua_KContext) { return 0; }
 
-// cancel(name); a task that cancels itself ends here.
+// cancel(name). If a task cancels itself, this call does not return.
 int global_cancel(lua_State* L) {
     Script& script = script_of(L);
     Task* task = nullptr;
@@ -103,7 +103,7 @@ void begin_wait(lua_State* L, Script& script, double seconds, bool for_condition
 Expected<void> check_turn(lua_State* L, const Script& script) {
     const Task* task = script.tasks().current();
     if (task != nullptr && task->waiter == L) return {};
-    return failure("the task in which this coroutine waited has ended");
+    return failure("this coroutine can't continue: the task in which it waited has ended");
 }
 
 int go_on_wait(lua_State* L, int, lua_KContext) {
@@ -178,7 +178,7 @@ bool is_task_global(std::string_view name) {
 }
 
 void set_task_globals(lua_State* L, Script& script) {
-    // Without the metatable, which refuses new globals.
+    // Raw access, because the metatable of the globals refuses new globals.
     for (const GlobalFunction& each : task_functions) {
         lua_pushstring(L, each.name);
         lua_pushlightuserdata(L, &script);

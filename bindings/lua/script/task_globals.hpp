@@ -10,7 +10,7 @@ namespace nezumi {
 
 bool is_task_global(std::string_view name);
 
-/// Sets them in the table of globals, which is on top of the stack. May raise a Lua error (memory).
+/// Sets these functions in the table of globals, which is on top of the stack. May raise a Lua error (memory).
 void set_task_globals(lua_State* L, Script& script);
 
 }  // namespace nezumi

@@ -131,7 +131,7 @@ void Tasks::forget(lua_State* L, Task& task) {
 void Tasks::cancel(lua_State* L, Task& task, double now) {
     lua_State* const thread = task.thread;
     set_status(task, Task::Status::cancelled, now);
-    if (thread == nullptr) return;                   // it had not started
+    if (thread == nullptr) return;                   // the task has not begun to run
     lua_rawgeti(L, LUA_REGISTRYINDEX, task.anchor);  // kept until its to-be-closed variables are closed
     forget(L, task);
     if (!close_slices(L, thread, closes_)) lua_error(L);
@@ -144,7 +144,7 @@ void Tasks::end(lua_State* L, double now) {
     ends_ = true;
     bool well = true;
     for (Task& task : tasks_) {
-        // A task that runs was ended because of its time.
+        // If the status is still `running`, the time limit has stopped the task.
         const bool failed = task.status == Task::Status::failed || task.status == Task::Status::running;
         lua_State* const thread = task.thread;
         if (is_under_way(task) || failed) set_status(task, failed ? Task::Status::failed : Task::Status::inactive, now);

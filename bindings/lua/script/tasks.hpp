@@ -20,7 +20,7 @@ struct TaskOptions {
 
 /// The last argument of `wait_until(fn, { ... })`.
 struct WaitOptions {
-    double within = std::numeric_limits<double>::infinity();  ///< [s] after which waiting ends
+    double within = std::numeric_limits<double>::infinity();  ///< [s] the longest time to wait
 };
 
 /// One task.
@@ -42,7 +42,7 @@ struct Task {
     int line = 0;                 ///< of this call
     double seconds = 0;           ///< [s] maximum time; may be infinite for a condition
     bool for_condition = false;
-    bool ends = false;  ///< it has cancelled itself
+    bool ends = false;  ///< the task has cancelled itself
 };
 
 std::string_view to_text(Task::Status status);
@@ -61,7 +61,7 @@ public:
     /// Whether `end` runs or has failed.
     bool ends() const { return ends_; }
 
-    /// Starts all at the next execution. None may be active.
+    /// Starts all tasks at the next execution. No task may be active.
     void start_all(double now);
     /// Starts a task at the next execution. An error if it is active, or if no task has this name.
     Expected<void> start(std::string_view name, double now);

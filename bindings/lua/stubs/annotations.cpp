@@ -185,9 +185,9 @@ std::string annotations(const std::vector<RecordShape>& more, const PeerWords& p
         "---@class Maze: Thing\n"
         "---@field columns integer cells from west to east\n"
         "---@field rows integer cells from south to north\n"
-        "---@field start integer[] column and row, from 1, of the cell with S, or of the south-west one\n"
-        "---@field direction integer quarter turns from east, to which the start is open: 1 is north\n"
-        "---@field goal integer[] column and row of each cell with G, or of those in the middle\n"
+        "---@field start integer[] column and row, from 1, of the cell with S, otherwise of the south-west cell\n"
+        "---@field direction integer side on which the start cell is open, in quarter turns from east: 1 is north\n"
+        "---@field goal integer[] column and row of each cell with G, otherwise of the cells in the middle\n"
         "---@field pose table x, y and heading of a robot at the start\n\n" +
         system_word_annotations(peers, false);
     text += fmt::format("---{}\n---@param fields {}\n---@return table\nfunction {}(fields) end\n\n",

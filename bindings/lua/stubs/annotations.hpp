@@ -10,8 +10,8 @@
 namespace nezumi {
 
 /// A definition file (`---@meta`): the message types from their descriptions, one class per type and direction, and the
-/// words of behaviours, system files, robot files and scenarios. `more` are structures that these words take and other
-/// rooms describe: the options of scenarios. `peers`: words of system files that describe peers.
+/// words of behaviours, system files, robot files and scenarios. `more` are structures that these words take and that
+/// other libraries describe: the options of scenarios. `peers`: words of system files that describe peers.
 std::string annotations(const std::vector<RecordShape>& more, const PeerWords& peers,
                         const std::vector<const MessageType*>& defined = {});
 

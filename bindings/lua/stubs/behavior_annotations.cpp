@@ -10,8 +10,8 @@ const char* const behavior_annotations =
 ---@param options? ParameterOptions
 function param(name, default, options) end
 
----Defines a message type, in a file of its own: `return message "Obstacle" { { "distance", "double", unit = "m" } }`.
----@param name string that of the file: `light_sensors.lua` defines LightSensors
+---Defines a message type, in a separate file: `return message "Obstacle" { { "distance", "double", unit = "m" } }`.
+---@param name string the name of the file: `light_sensors.lua` defines LightSensors
 ---@return fun(fields: table): nil
 function message(name) end
 
@@ -27,7 +27,7 @@ function constants(type) end
 ---@type Config
 config = {}
 
----Survives a reload: plain data only.
+---A table that survives a reload. It can hold only plain data.
 ---@type table<any, any>
 state = {}
 
@@ -56,57 +56,57 @@ function about(fields) end
 ---@param doc? string
 function command(name, fn, doc) end
 
----Shows a value from inside as `component.probes.name`: the last of a tick counts. Recorded, and no part of the trace.
+---Shows an internal value as `component.probes.name`; the last value of a tick counts. Recorded, but not in the trace.
 ---@param name string
 ---@param value number|boolean|string|table a table is flat, with at most 64 entries
 function probe(name, value) end
 
----Declares what is done one after the other: it starts on activation and runs in slices, from one wait to the next.
+---Declares a task, a function that waits between its steps. It starts on activation and runs from one wait to the next.
 ---@param name string
 ---@param fn fun()
 ---@param options? TaskOptions
 function task(name, fn, options) end
 
----Starts a task at the next execution; an error while it is under way.
+---Starts a task at the next execution; an error if the task is already running.
 ---@param name string
 function start(name) end
 
----Ends a task, its `<close>` variables included. Returns whether it was under way.
+---Ends a task, and closes its `<close>` variables. Returns whether the task was running.
 ---@param name string
 ---@return boolean
 function cancel(name) end
 
----Waits so long, in a task only. Returns the time that has passed [s].
+---Waits for this time; can be used only in a task. Returns the time that has passed [s].
 ---@param seconds number
 ---@return number
 function wait(seconds) end
 
----Waits until `condition()` is true, in a task only: looks immediately, then in each execution. Returns false when it was
----not within the time that is given.
+---Waits until `condition()` is true; can be used only in a task. Checks immediately, then in each execution. Returns
+---false if the condition did not become true within the time limit of the options.
 ---@param condition fun(): any
 ---@param options? WaitOptions
 ---@return boolean
 function wait_until(condition, options) end
 
----Before the first execution after an activation.
+---Called before the first execution after an activation.
 function on_activated() end
 
----In every tick, or at the `rate` of the system file.
+---Called in every tick, or at the `rate` of the system file.
 function on_execute() end
 
----When it is deactivated, removed, or the run ends.
+---Called when the component is deactivated or removed, or when the run ends.
 function on_deactivated() end
 
----Once, when an error has stopped it. May not write velocities.
+---Called once when an error has stopped the component. May not write velocities.
 function on_aborting() end
 
----In every tick while it is in ERROR. May not write velocities.
+---Called in every tick while the component is in ERROR. May not write velocities.
 function on_error() end
 
----When somebody resets it; afterwards it is INACTIVE.
+---Called when the component is reset; afterwards it is INACTIVE.
 function on_reset() end
 
----When a new version of the file takes over.
+---Called in the new version of the file when it takes over from the old one.
 ---@param old_version integer
 function on_reload(old_version) end
 

@@ -15,7 +15,7 @@ std::vector<RecordShape> file_records(const PeerWords& peers);
 
 /// `---@class (exact) BoxFields`, with a line for each field.
 std::string annotation(const RecordShape& record);
-/// The class for one kind of the structure, with its own name.
+/// The class `name` for one kind of the structure.
 std::string annotation(const RecordShape& record, const std::string& name, std::string_view kind);
 
 /// The words of a system file, as functions or as methods of a scenario's `s`.

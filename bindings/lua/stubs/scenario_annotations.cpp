@@ -5,13 +5,13 @@ namespace nezumi::detail {
 
 const char* const scenario_annotations = R"lua(---@class TaskView
 ---@field status "inactive"|"ready"|"waiting"|"finished"|"cancelled"|"failed"
----@field since number [s] since when
----@field waiting? string what it is waiting for, and how long yet
+---@field since number [s] time of the last change of the status
+---@field waiting? string what the task waits for, and the remaining time
 ---@field line? integer where it waits
 
 ---@class ProbeView
 ---@field value number|boolean|string|table
----@field tm number [s] when it was set
+---@field tm number [s] time when the value was set
 ---@field age number [s]
 
 ---@alias World table<string, Component>
@@ -57,17 +57,17 @@ function environment(description) end
 
 ---@class Scenario
 ---@field seed integer of this run
----@field world World the components of the system, once there is one
----@field [string] Component the same
+---@field world World the components of the system, as soon as a system exists
+---@field [string] Component a component of the system
 local s = {}
 
----Loads a system file and activates what it names. Its robots may differ by fields of a robot file.
+---Loads a system file and activates its components. Its robots may differ by fields of a robot file.
 ---@param file string
 ---@param options? LoadOptions
 ---@return World
 function s:load(file, options) end
 
----A recorded run as a world: its ports can be looked at while time moves through the recording. A journal, a recording
+---A recorded run as a world: its ports can be read while time moves through the recording. A journal, a recording
 ---of nezumi, or a recording of ROS 2 in MCAP.
 ---@param file string
 ---@param options? RecordedOptions
@@ -75,7 +75,7 @@ function s:load(file, options) end
 ---@return number length [s] of the recording
 function s:recorded(file, options) end
 
----Gives a behaviour what its component got in a recorded run. Fails where it writes something else than then.
+---Gives a behaviour the inputs of its component in a recorded run. Fails if an output differs from the recorded one.
 ---@param options JudgeOptions
 function s:judge(options) end
 
@@ -83,13 +83,13 @@ function s:judge(options) end
 ---@return number
 function s:now() end
 
----Holds from here to the end, after every tick.
+---The condition must be true after every tick, from now to the end of the scenario.
 ---@param name string
 ---@param condition Condition
 ---@overload fun(self: Scenario, name: string, options: ExpectationOptions, condition: Condition)
 function s:always(name, condition) end
 
----Never holds, from here to the end.
+---The condition must be false after every tick, from now to the end of the scenario.
 ---@param name string
 ---@param condition Condition
 ---@overload fun(self: Scenario, name: string, options: ExpectationOptions, condition: Condition)
@@ -130,11 +130,11 @@ function s:near(actual, expected, tolerance, message) end
 ---@param message? string
 function s:equal(actual, expected, message) end
 
----From here on this component may go to ERROR; else that fails the scenario.
+---Allows this component to go to ERROR from now on. Without this, ERROR fails the scenario.
 ---@param component Component|string
 function s:allow_error(component) end
 
----Draws values for this run, each from a range or a list, from its seed. A search chooses them; a failing run is simplified.
+---Draws values, each from a range or list, by the seed of this run. A search chooses them. A failing run is simplified.
 ---@param name string
 ---@param values table<string, any[]|Range>
 ---@return table<string, any>
@@ -146,19 +146,19 @@ function s:any(name, values) end
 ---@param unit? string
 function s:measure(name, value, unit) end
 
----Records these ports from here on, after every tick, and compares with the committed file beside the scenario's.
+---Records these ports after every tick from now on, and compares them with a committed file beside the scenario file.
 ---@param file string
 ---@param options GoldenOptions
 ---@param ... PortName
 ---@overload fun(self: Scenario, file: string, ...: PortName)
 function s:golden(file, options, ...) end
 
----One message as from a connection.
+---Puts one message into a port, as if it came through a connection.
 ---@param port PortName
 ---@param value any
 function s:inject(port, value) end
 
----This value and nothing else, until `release`.
+---The port has this value, whatever else is written, until `release`.
 ---@param port PortName
 ---@param value any
 ---@param options? HoldOptions
@@ -173,17 +173,17 @@ function s:release(port) end
 ---@return string? message
 function s:reload(component, new) end
 
----Nothing gets through.
+---No message gets through this port.
 ---@param port PortName
 ---@param seconds? number [s] without it until `restore`
 function s:drop(port, seconds) end
 
----The present value again and again.
+---The port repeats its present value.
 ---@param port PortName
 ---@param seconds? number [s] without it until `restore`
 function s:freeze(port, seconds) end
 
----A hand that moves the robot.
+---Forces velocities on a robot, as if a hand moved it.
 ---@param robot Component|string
 ---@param velocities VelocityConstraintFields
 function s:disturb(robot, velocities) end
@@ -193,7 +193,7 @@ function s:disturb(robot, velocities) end
 ---@param seconds? number [s] without it until `restore`
 function s:press(robot, button, seconds) end
 
----A robot, at rest; or a marker of the arena by its name, where what is left out stays as it is.
+---Moves a robot, which is then at rest. Or moves a marker or object by its name; omitted fields keep their values.
 ---@param thing Component|string
 ---@param pose PoseFields|MarkerPoseFields
 function s:teleport(thing, pose) end
@@ -201,7 +201,7 @@ function s:teleport(thing, pose) end
 ---Emergency stop: every robot brakes as hard as it can and ignores commands, until `rearm`.
 function s:stop() end
 
----Robots obey again what comes from now on. They must stand.
+---Ends the emergency stop: robots obey commands from now on. All robots must stand still.
 function s:rearm() end
 
 ---Ends what `drop`, `freeze`, `disturb` and `press` began.

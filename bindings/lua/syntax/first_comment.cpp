@@ -1,4 +1,4 @@
-// Reads comments as long as each is in the line after the one before.
+// Reads comments while each one is in the line after the previous one.
 #include "bindings/lua/syntax/first_comment.hpp"
 
 #include <algorithm>

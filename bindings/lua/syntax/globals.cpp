@@ -33,7 +33,7 @@ std::vector<std::string_view> locals_at(const SyntaxTree& tree, const Token* tok
 // The error of a use, or nothing.
 std::string complaint(const SyntaxTree& tree, const GlobalUse& use, const KnownGlobals& known) {
     const std::string_view name = use.name();
-    if (name == environment) return "'_ENV' can't be used: globals are known by their names alone";
+    if (name == environment) return "'_ENV' can't be used: write the names of globals directly";
     if (contains(known.callbacks, name)) {
         if (!known.is_module) return {};
         return in_quotes(name) + " can't be used in a module: callbacks belong in the component's own file";
@@ -62,7 +62,7 @@ std::string complaint(const SyntaxTree& tree, const GlobalUse& use, const KnownG
     return "unknown global " + in_quotes(name) + hint;
 }
 
-// The error for an unknown field of a library: `math.flor`. Assignments have an error of their own.
+// The error for an unknown field of a library: `math.flor`. Assignments have another error.
 std::optional<Error> field_complaint(const GlobalUse& use, const KnownGlobals& known) {
     const KnownLibrary* const library = find(known.libraries, use.name());
     const auto field = field_of(*use.node);

@@ -21,7 +21,8 @@ struct GlobalUse {
 /// All uses, in order of location.
 std::vector<GlobalUse> global_uses(const SyntaxTree& tree);
 
-/// A name that a person may expect, of a global or of a library's field ("math.atan2"), and its replacement.
+/// A name that does not exist but that users may expect, and a hint what to use instead. The name is that of a global,
+/// or of a library's field ("math.atan2").
 struct Instead {
     std::string_view name;
     std::string_view hint;
@@ -42,8 +43,9 @@ struct KnownGlobals {
     std::vector<Instead> instead{};
 };
 
-/// One error for each unknown use, in order of location: a mistake with the nearest local, name or callback, an unknown
-/// `on_...`, an assignment to a word, a use of `_ENV`, an unknown field of a library. At most 1000.
+/// One error for each wrong use, in order of location: an unknown name, with the nearest local variable, name or
+/// callback; an unknown `on_...`; an assignment to a readable name; a use of `_ENV`; an unknown field of a library. At
+/// most 1000.
 std::vector<Error> check_globals(const SyntaxTree& tree, const std::string& file, const KnownGlobals& known);
 
 }  // namespace nezumi

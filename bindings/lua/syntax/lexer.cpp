@@ -10,7 +10,7 @@
 namespace nezumi {
 namespace {
 
-// Longest first.
+// Operators of several characters, the longest first.
 constexpr std::array<std::string_view, 10> long_signs{"...", "..", "==", "~=", "<=", ">=", "//", "::", "<<", ">>"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }

@@ -16,9 +16,9 @@ struct Token {
     bool malformed = false;   ///< a number or string that Lua refuses: "3x", "\q", a string that a line ends
 
     bool is(std::string_view word) const { return text == word && (kind == Kind::keyword || kind == Kind::sign); }
-    /// A name, or a keyword in place of a name.
+    /// Whether this is a name or a keyword.
     bool is_word() const { return kind == Kind::name || kind == Kind::keyword; }
-    /// A string or comment in long brackets: [==[ ... ]==].
+    /// Whether this is a string or comment in long brackets: [==[ ... ]==].
     bool is_long() const;
     /// The content of a string without its quotes or brackets, with its escapes. Nothing for any other token.
     std::string_view inside() const;

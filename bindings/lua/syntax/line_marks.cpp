@@ -12,7 +12,7 @@ namespace {
 
 using Kind = SyntaxNode::Kind;
 
-// Whether a loop can be left otherwise than by its condition.
+// Whether a loop can end in another way than by its condition.
 bool can_leave(const SyntaxNode& node, bool in_inner_loop = false) {
     if (node.is(Kind::function)) return false;
     if (node.is(Kind::goto_statement) || (node.is(Kind::break_statement) && !in_inner_loop)) return true;

@@ -1,4 +1,4 @@
-// Goes through the tree; tables of declarations are left out, because units and texts change nothing.
+// Goes through the tree. Leaves out the tables of declarations, because their units and texts affect no behaviour.
 #include "bindings/lua/syntax/mutations.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> operator
                                                                                    {"*", "/"},
                                                                                    {"/", "*"}}};
 
-// Calls that declare; all but the default of a parameter says something to people and machines alone.
+// Calls whose arguments do not change, except the default of `param` and the function of `command`.
 bool is_declaration(std::string_view name) {
     constexpr std::array<std::string_view, 6> names{"param", "input", "output", "about", "command", "require"};
     return contains(names, name);

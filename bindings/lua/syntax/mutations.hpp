@@ -1,4 +1,4 @@
-// Small changes of a Lua text, as mistakes would be: for asking whether tests notice them.
+// Small changes of a Lua text that act like mistakes. They show whether tests notice mistakes.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace nezumi {
 struct Mutation {
     int line = 0;                    ///< of the place
     int statement = 0;               ///< the line in which its statement begins, or the line of an `elseif`
-    std::size_t at = 0, length = 0;  ///< [bytes] what is replaced
-    std::string text;                ///< replaces it; has as many line ends
+    std::size_t at = 0, length = 0;  ///< [bytes] the piece of text that is replaced
+    std::string text;                ///< replaces this piece; has the same number of line ends
     std::string change;              ///< "`<` instead of `>=`"
 
     /// The changed text.
@@ -22,8 +22,8 @@ struct Mutation {
 
 /// All changes, in order of location: a comparison reversed, `and` for `or`, `not` left out, a sign or an operator of
 /// arithmetic changed, a number or a boolean changed, a call left out whose result is not used. Declarations change
-/// only in their defaults; log lines, prints and probes do not change. `source` is a text without its preamble; a wrong
-/// one has none.
+/// only in their defaults; log lines, prints and probes do not change. `source` is a text without its preamble; if
+/// it has syntax errors, there are no changes.
 std::vector<Mutation> mutations_of(std::string_view source);
 
 }  // namespace nezumi

@@ -7,7 +7,7 @@
 
 namespace nezumi {
 
-/// The hint for a syntax error: "it is ~= in Lua" for a text with `!=`. "" if there is none.
+/// The hint for the syntax error of a text: "it is ~= in Lua" if the text has `!=` there. "" if there is no hint.
 std::string_view other_language_hint(const SyntaxTree& tree);
 
 }  // namespace nezumi

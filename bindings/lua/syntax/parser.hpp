@@ -23,7 +23,7 @@ public:
 private:
     using Kind = SyntaxNode::Kind;
 
-    /// A level of nesting during its lifetime. A text that is nested too deeply is not read further.
+    /// Counts a level of nesting during its lifetime. A text that is nested too deeply is not read further.
     class Level {
     public:
         explicit Level(LuaParser& parser) : parser_(parser) {

@@ -20,16 +20,16 @@ public:
     void open_block(bool is_loop);
     void close_block(const Token* at);
 
-    /// From this token on the variable is visible.
+    /// Declares a local variable, which is visible from the token `from` on.
     LocalName* declare(std::string_view name, const Token* place, const Token* from, bool constant);
-    /// Null: the name is a global.
+    /// The visible local variable with this name; null: the name is a global.
     const LocalName* find(std::string_view name) const;
     /// Whether `...` is allowed here.
     bool takes_more() const { return functions_.back().takes_more; }
 
     void add_goto(const Token* name);
     void add_break(const Token* keyword);
-    /// `is_last`: only labels and semicolons follow in its block.
+    /// `is_last`: only labels and semicolons follow in the block of the label.
     void add_label(const Token* name, bool is_last);
 
     /// The first jump or label that Lua refuses; null if there is none.
@@ -43,7 +43,7 @@ private:
     struct Block {
         bool is_loop;
         bool is_function;
-        std::size_t locals;  // number of visible variables before it
+        std::size_t locals;  // number of variables that are visible at its start
         std::size_t labels;
         std::size_t jumps;
     };
@@ -52,7 +52,7 @@ private:
         std::size_t locals;
     };
     struct Jump {
-        const Token* name;  // `break` for such
+        const Token* name;  // the name after `goto`, or the keyword `break`
         std::size_t locals;
     };
 
@@ -65,7 +65,7 @@ private:
     std::vector<Function> functions_;
     std::vector<Block> blocks_;
     std::vector<Label> labels_;
-    std::vector<Jump> jumps_;  // that wait for their labels
+    std::vector<Jump> jumps_;  // jumps that wait for their labels
     const Token* error_ = nullptr;
 };
 

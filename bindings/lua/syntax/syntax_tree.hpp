@@ -23,13 +23,13 @@ struct LocalName {
     bool constant = false;         ///< <const> or <close>
 };
 
-/// A statement, an expression, or a list of them.
+/// A statement, an expression, or a list of them. The comments on `Kind` list the children of a node.
 struct SyntaxNode {
     enum class Kind : unsigned char {
         // Lists.
-        block,         ///< its statements
-        expressions,   ///< of a call with its brackets; its expressions
-        declarations,  ///< of a function with its brackets; what it declares
+        block,         ///< statements
+        expressions,   ///< expressions; the node of a call's arguments includes the brackets
+        declarations,  ///< declarations; the node of a function's parameters includes the brackets
         // Statements.
         assignment,          ///< expressions that are assigned, expressions
         call_statement,      ///< call
@@ -67,7 +67,7 @@ struct SyntaxNode {
 
     Kind kind = Kind::missing;
     const Token* first = nullptr;         ///< its first token
-    const Token* end = nullptr;           ///< behind its last one
+    const Token* end = nullptr;           ///< the token after its last one
     const Token* word = nullptr;          ///< name, declaration, member, method_call, field, goto, label: the name;
                                           ///< unary, binary: the operator; null where the text lacks it
     const LocalName* variable = nullptr;  ///< name, declaration: the local variable; null: it is a global
@@ -80,7 +80,7 @@ struct SyntaxNode {
     /// The source from its first to its last token.
     std::string_view text() const;
     std::string_view word_text() const { return word != nullptr ? word->text : std::string_view(); }
-    /// Null if there are fewer.
+    /// The child with this index, from 0; null if there are fewer.
     const SyntaxNode* at(std::size_t index) const;
     std::size_t count() const;
     /// The content of a string literal, with its escapes; nothing for any other node.

@@ -1,4 +1,4 @@
-// A return of a single call without brackets around it.
+// A tail call is a `return` of a single call without brackets around it.
 #include "bindings/lua/syntax/tail_calls.hpp"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 namespace nezumi {
 namespace {
 
-// Replacements for parameters that scripts of other systems expect.
+// What a script should use instead of a parameter that callbacks of other robot systems have.
 std::string_view in_place_of(std::string_view parameter) {
     constexpr std::string_view clocks[] = {"now", "t", "time", "seconds"};
     if (parameter == "dt") return "`dt` is a global";

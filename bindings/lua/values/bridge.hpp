@@ -23,15 +23,17 @@ struct Arguments {
 
     int count() const { return lua_gettop(lua) - first + 1; }
     int index(int position) const { return first + position - 1; }
-    /// Something else than nil is there.
+    /// Whether this argument exists and is not nil.
     bool has(int position) const { return lua_type(lua, index(position)) > LUA_TNIL; }
-    /// Its type for messages: "nothing", "string".
+    /// The type of an argument for messages: "nothing", "string".
     std::string_view kind(int position) const;
-    /// A string, not a number; otherwise the error "expected WHAT, got KIND".
+    /// The argument, which must be a string and not a number; otherwise the error "expected WHAT, got KIND".
     Expected<std::string> text(int position, std::string_view what) const;
-    /// A number; a string such as "12" is not one. Otherwise the error "expected WHAT, got KIND".
+    /// The argument, which must be a number and not a string such as "12"; otherwise the error "expected WHAT, got
+    /// KIND".
     Expected<double> number(int position, std::string_view what) const;
-    /// "WORD: expected at most 2 arguments, got 3: WORD(name, value)" when there are more; `usage` is "(name, value)".
+    /// The error "FUNCTION: expected at most 2 arguments, got 3: FUNCTION(name, value)" if there are more than `most`;
+    /// `usage` is "(name, value)".
     Expected<void> at_most(std::string_view function, int most, std::string_view usage) const;
 };
 
@@ -42,9 +44,9 @@ int raise_kept(lua_State* L);
 /// Raises the stored text unchanged, because it already has a location.
 int raise_kept_alone(lua_State* L);
 
-/// Runs `body()`, which returns an `Expected<void>`, or an `Expected<int>`: the number of its results on the stack. It
-/// must not push values that may raise errors (texts, tables). Returns this number or raises the error: at the error's
-/// own location if it has one, otherwise at the caller's line.
+/// Runs `body()`, which returns an `Expected<void>`, or an `Expected<int>`: the number of its results on the stack.
+/// `body` must not push values that may raise errors (texts, tables). Returns the number of results, or raises the
+/// error: at the error's own location if it has one, otherwise at the caller's line.
 template <class Body>
 int bridge(lua_State* L, Body&& body) {
     enum class End : unsigned char { well, error, error_with_place } end = End::well;

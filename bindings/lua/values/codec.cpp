@@ -46,7 +46,7 @@ std::string key_name(lua_State* L, int index) {
     }
 }
 
-// All of `names`, as a hint after an unknown one.
+// A hint after the message about an unknown field: all names that exist.
 std::string list_of(const std::vector<std::string_view>& names) {
     return fmt::format(" (its fields are {})", fmt::join(names, ", "));
 }
@@ -125,7 +125,8 @@ void prepend(Mismatch* why, std::string_view place) {
     why->path = std::string(place) + (dot ? "." : "") + why->path;
 }
 
-// Whether the table at `index` has no key but these names. Else describes the first one, in a fixed order.
+// Whether all keys of the table at `index` are in `names`. If not, describes the unknown key that is first in
+// alphabetical order.
 bool check_names(lua_State* L, int index, const std::vector<std::string_view>& names, Mismatch* why) {
     std::string unknown;
     bool found = false;
@@ -149,8 +150,8 @@ bool keeps_limits(const Type::Field& field, const ValuePlace& value, Mismatch* w
     return why != nullptr && refuse(why, explain_misfit(*field.limits, value.view()));
 }
 
-// One pass over the keys. They are often in the order of the fields, so the search begins at the next field. If several
-// fields are wrong, any of the errors is reported.
+// Reads in one pass over the keys, and describes no error. The keys are often in the order of the fields, so the search
+// begins at the next field.
 bool read_fields_at_once(lua_State* L, int index, const ValuePlace& out) {
     const auto& fields = out.type->fields;
     std::size_t next = 0;
@@ -177,7 +178,7 @@ bool read_fields_at_once(lua_State* L, int index, const ValuePlace& out) {
     return true;
 }
 
-// `why` null: in one pass.
+// If `why` is null, reads in one pass.
 bool read_any_fields(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
     if (lua_type(L, index) != LUA_TTABLE) return refuse_type(L, index, "a table", why);
     const UnlockedTable table(L, index);
@@ -220,7 +221,7 @@ bool read_any_elements(lua_State* L, int index, const ValuePlace& out, Mismatch*
     return fits;
 }
 
-// A choice of an enumeration, by its name.
+// Reads a choice of an enumeration, which Lua gives by its name.
 bool read_choice(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
     std::string_view text;
     if (!read_text(L, index, text, why)) return false;
@@ -311,7 +312,7 @@ void push_any(lua_State* L, const ValueView& value) {
             return visit_number(value, [L]<class T>(const T& number) {
                 if constexpr (std::is_same_v<T, std::uint64_t>) {
                     if (number > std::uint64_t{std::numeric_limits<std::int64_t>::max()})
-                        luaL_error(L, "an integer beyond 2^63 - 1, which Lua does not have");
+                        luaL_error(L, "the value has an integer larger than 2^63 - 1, the largest integer of Lua");
                 }
                 push_value(L, number);
             });

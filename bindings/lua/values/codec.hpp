@@ -1,4 +1,4 @@
-// Payloads and parameters between C++ and Lua, both ways, derived from the one set of descriptions.
+// Converts payloads and parameters between C++ and Lua, in both directions, by the descriptions of their types.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +22,9 @@
 
 namespace nezumi {
 
-// Two rules hold in this file. Reading calls nothing of Lua's that can raise an error, and looks only at raw tables and
-// behind locked ones, so that no metamethod runs and C++ objects may live around it. Pushing may raise an error (out of
-// memory): call it with nothing alive that needs its destructor, or in a protected call.
+// Two rules hold in this file. Reading raises no Lua error and runs no metamethod, because it reads tables only with
+// raw access, also those behind read-only tables. So C++ objects may exist while it runs. Pushing may raise a Lua error
+// (memory), which skips destructors: push within a protected call that contains no objects with destructors.
 
 /// Why a Lua value does not fit.
 struct Mismatch {
@@ -37,9 +37,10 @@ struct Mismatch {
 /// 'vx'?)".
 std::string describe(const Mismatch& why);
 
-/// Slots of Lua's stack for every payload, both ways: the deepest has `most_message_depth` levels.
+/// Slots of Lua's stack that are enough to push or to read any payload: the deepest one has `most_message_depth`
+/// levels.
 inline constexpr int codec_stack = 40;
-/// Slots for a payload of this type: Lua gives a C function `LUA_MINSTACK` without being asked.
+/// Slots for a payload of this type. Every C function has `LUA_MINSTACK` slots without `lua_checkstack`.
 template <class T>
 inline constexpr int codec_stack_of = std::is_same_v<T, Value> ? codec_stack : 4;
 template <Sequence T>
@@ -49,7 +50,7 @@ inline constexpr int codec_stack_of<T> = Describe<T>::fields.apply([](const auto
     return 3 + std::max({codec_stack_of<std::remove_cvref_t<decltype(std::declval<T>().*field.member)>>...});
 });
 
-/// A fresh value of the script's own on top of the stack: a message, a parameter; arrays as plain tables.
+/// Pushes a new copy of a message or a parameter, which the script may change. Arrays become plain tables.
 void push_payload(lua_State* L, const ValueView& value);
 /// Reads the value at `index` as a payload of this message type, or returns the error (the text of
 /// `describe(Mismatch)`).
@@ -64,10 +65,12 @@ Value read_single(lua_State* L, int index);
 /// Reads the value at `index` as a parameter's value, or returns the error.
 Expected<Value> read_parameter(lua_State* L, int index);
 
-/// The number of elements of the table at `index` when its keys are 1..n and nothing else, otherwise -1 and why.
+/// The number of elements, if the keys of the table at `index` are exactly 1..n. Otherwise -1, and the reason in `why`
+/// unless that is null.
 std::ptrdiff_t read_array_size(lua_State* L, int index, Mismatch* why);
 
-/// The table at an index (absolute), or while this lives the one behind it when that one is locked.
+/// The table at an absolute index. If it is read-only, the table behind it instead, which is on the stack while this
+/// object exists.
 class UnlockedTable {
 public:
     UnlockedTable(lua_State* L, int index)
@@ -93,13 +96,15 @@ bool read_boolean(lua_State* L, int index, bool& out, Mismatch* why);
 bool read_integer(lua_State* L, int index, std::int64_t min, std::int64_t max, std::int64_t& out, Mismatch* why);
 bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why, Numbers numbers = Numbers::finite);
 bool read_text(lua_State* L, int index, std::string_view& out, Mismatch* why);
-// `push_value` and `read_value` by the table of the type. Fields are read in the order of the description, so errors do
-// not depend on the order of a table's keys. Missing fields keep their value in `out`.
+// Like `push_value` and `read_value`, but by the description of the type at run time (`Type`). Fields are read in the
+// order of the description, so errors do not depend on the order of a table's keys. Missing fields keep their value in
+// `out`.
 void push_any(lua_State* L, const ValueView& value);
 bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why, Numbers numbers = Numbers::finite);
-// Pushes the value of a raw field found without making a string; returns whether there is one, else pushes nothing.
+// Finds a raw field without making a Lua string, which could raise an error. Pushes its value; if there is none, pushes
+// nothing and returns false.
 bool push_raw_field(lua_State* L, int index, std::string_view name);
-// The string at the top of the stack minus one (a key during lua_next).
+// The string below the top of the stack: the key during lua_next.
 std::string_view key_text(lua_State* L);
 
 }  // namespace detail
@@ -131,13 +136,13 @@ void push_value(lua_State* L, const T& value) {
     }
 }
 
-/// Reads the value at `index` (absolute) into `out`. Returns false when it does not fit; then `out` is of no use.
+/// Reads the value at `index` (absolute) into `out`. Returns false if the value does not fit; then `out` is invalid.
 template <class T>
 bool read_value(lua_State* L, int index, T& out, Numbers numbers = Numbers::finite);
 
 namespace detail {
 
-// One pass over the keys, with no regard to which of several faults is met first.
+// Reads in one pass over the keys, in any order: no error is described, so it does not matter which one is found first.
 template <class T>
 bool read_fields(lua_State* L, int index, T& out) {
     lua_pushnil(L);
@@ -161,7 +166,8 @@ bool read_fields(lua_State* L, int index, T& out) {
 template <class T>
 bool read_sequence(lua_State* L, int index, T& out, Numbers numbers) {
     out.clear();
-    // Elements come in order from a table's array part. Anything else takes the slower way.
+    // lua_next visits a table's array part in order. If the keys are not in order, all elements are read again by
+    // index, which is slower.
     lua_pushnil(L);
     while (lua_next(L, index) != 0) {
         typename T::value_type element{};

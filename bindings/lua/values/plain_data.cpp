@@ -1,4 +1,4 @@
-// Visits tables breadth first without recursion, because a list of a million links must not overflow a stack.
+// Visits tables breadth first without recursion, because a linked list of a million tables must not overflow the stack.
 #include "bindings/lua/values/plain_data.hpp"
 
 #include <fmt/format.h>
@@ -52,8 +52,8 @@ std::string type_name(lua_State* L, int index) {
     }
 }
 
-// The place of a value: under a key of a table, or as one of the values themselves. Storing whole paths would cost the
-// square of a list's length.
+// Where a value was found: under `key` of the table with index `table`, or as the value with index `value` of those to
+// copy. Whole paths are not stored: for a linked list of n tables they would take memory in proportion to n^2.
 struct Origin {
     std::size_t table = no_table;
     Value key;
@@ -62,22 +62,23 @@ struct Origin {
     static constexpr std::size_t no_table = static_cast<std::size_t>(-1);
 };
 
-// Exists outside of the protected call in which it works, so that an error there skips no destructor.
+// Copies the values. The object exists outside of the protected call in which it works, so that a Lua error skips no
+// destructor.
 struct Taker {
     const std::vector<std::string>& names;
     std::vector<Dropped>& dropped;
     PlainData data;
     std::vector<Origin> origins;                           // of data.tables
-    std::unordered_map<const void*, std::size_t> indices;  // of data.tables
-    std::vector<Value> keys;                               // of the table at hand
-    Origin origin;                                         // of the value at hand
+    std::unordered_map<const void*, std::size_t> indices;  // in data.tables, by address of the table
+    std::vector<Value> keys;                               // of the table that is being copied
+    Origin origin;                                         // of the value that is being copied
 
-    bool takes_objects = true;  // that stand for plain data
+    bool takes_objects = true;  // objects with plain data, such as matrices, are copied as this data
 
-    // What may still be taken.
+    // The number of values and the bytes of text that may still be copied.
     PlainLimit left{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
-    bool too_much = false;  // more than that
-    std::size_t whole = 0;  // tables that have been taken
+    bool too_much = false;  // the limit is exceeded
+    std::size_t whole = 0;  // number of tables that were copied completely
 
     int work_list = 0;  // stack index of a Lua table: data.tables[i - 1] is at i
 
@@ -189,7 +190,7 @@ struct Taker {
     }
 };
 
-// Takes the topmost `count` values.
+// Copies the topmost `count` values.
 Expected<void> run(Taker& taker, lua_State* L, int count, Budget budget) {
     const int first = lua_gettop(L) - count + 1;
     if (lua_checkstack(L, count + 4) == 0) return failure("not enough memory");
@@ -273,7 +274,8 @@ Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std
                 .left = limit};
     if (auto ok = run(taker, L, count, budget); !ok) return Unexpected(ok.error());
     if (taker.too_much)
-        return failure(fmt::format("it holds more than {} values, or {} MB of text", limit.values, limit.text >> 20U));
+        return failure(
+            fmt::format("a copy can have at most {} values and {} MB of text", limit.values, limit.text >> 20U));
     return std::move(taker.data);
 }
 
@@ -291,7 +293,7 @@ Expected<PlainSnapshot> snapshot_plain(lua_State* L, Budget budget, const PlainL
                 .takes_objects = dropped == nullptr,
                 .left = limit};
     if (auto ok = run(taker, L, 1, budget); !ok) return Unexpected(ok.error());
-    // Part of a table would be different in every run.
+    // Empties tables that were copied only in part, because that part would differ from run to run.
     for (std::size_t i = taker.whole; i < taker.data.tables.size(); ++i) taker.data.tables[i].clear();
     return PlainSnapshot{std::move(taker.data), taker.whole};
 }

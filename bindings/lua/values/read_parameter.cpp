@@ -1,4 +1,4 @@
-// Parameters' values from Lua: single ones, and arrays of one type.
+// Reads values of parameters from Lua: single values, and arrays of one type.
 #include <fmt/format.h>
 
 #include <string>
@@ -30,8 +30,9 @@ Expected<Value> read_array(lua_State* L, int index) {
     Mismatch why;
     const std::ptrdiff_t size = read_array_size(L, index, &why);
     if (size < 0) return failure(describe(why));
-    if (size == 0) return std::vector<double>();  // fits an array of anything
-    // The first element determines the type of the others; integers and numbers mix to numbers.
+    if (size == 0) return std::vector<double>();  // an empty array fits every type of array
+    // The first element determines the type of the others; an array of integers and other numbers is an array of
+    // numbers.
     int first = LUA_TNIL;
     bool all_whole = true;
     for (std::ptrdiff_t i = 1; i <= size; ++i) {

@@ -1,4 +1,4 @@
-// Sets the tables in the order of copying, so each table is known before its content.
+// Sets the tables in the order in which they were copied, so each table exists before its content is set.
 #include "bindings/lua/values/set_plain.hpp"
 
 #include "bindings/lua/sandbox/locked_table.hpp"
@@ -11,7 +11,7 @@ namespace {
 // Stack indices of Lua tables.
 struct Places {
     int tables;  // data.tables[i] is at i + 1
-    int used;    // those of them that the script had already, as keys
+    int used;    // its keys are those of these tables that the script had already
 };
 
 // Whether the value on top of the stack is a table that can be reused. A locked table does not belong to the script.
@@ -22,7 +22,8 @@ bool is_own_table(lua_State* L) {
     return !is_locked;
 }
 
-// Removes the plain data from the table at `from`, and puts its tables into the one at `into`, under the same keys.
+// Removes the plain data from the table at `from`. Puts the removed tables into the table at `into`, under the same
+// keys, so that they can be reused.
 void move_plain(lua_State* L, int from, int into) {
     lua_pushnil(L);
     while (lua_next(L, from) != 0) {
@@ -41,7 +42,8 @@ void move_plain(lua_State* L, int from, int into) {
     }
 }
 
-// Pops a key, and pushes the script's own table with this key if it is not in use yet, or a new table.
+// Pops a key, and pushes the script's table that `before` has for this key, or a new table if there is none or it is
+// used already.
 void push_table(lua_State* L, int before, const Places& places) {
     lua_rawget(L, before);
     const bool is_there = lua_istable(L, -1);
@@ -63,7 +65,7 @@ void push_table(lua_State* L, int before, const Places& places) {
 void set_field(lua_State* L, int table, int before, const Value& key, const Value& value, const Places& places) {
     detail::push_any(L, key);
     lua_rawget(L, table);
-    const bool is_other = !lua_isnil(L, -1);  // not plain data
+    const bool is_other = !lua_isnil(L, -1);  // the script's value is not plain data, and stays
     lua_pop(L, 1);
     if (is_other) return;
     if (const auto* ref = value.get_if<TableRef>()) {

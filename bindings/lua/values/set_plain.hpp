@@ -7,9 +7,10 @@
 
 namespace nezumi {
 
-/// Changes the table on top of the stack, which stays there, to the first table of `data.values`. If both have a table
-/// under a key, the script's table is kept and changed, because local variables may refer to it. Values that are not
-/// plain data stay unchanged. May raise a Lua error (memory): use it within a protected call.
+/// Gives the table on top of the stack, which stays there, the contents of the first value of `data`, if this is a
+/// table. If both have a table under the same key, the script's table is kept and changed, because local variables may
+/// refer to it. Values that are not plain data stay unchanged. May raise a Lua error (memory): use it within a
+/// protected call.
 void set_plain(lua_State* L, const PlainData& data);
 
 }  // namespace nezumi

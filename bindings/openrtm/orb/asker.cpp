@@ -1,4 +1,4 @@
-// Asks many RTCs in parallel, so that several silent ones cost one second in all.
+// Asks many RTCs in parallel, so that several silent RTCs together cost one second.
 #include "bindings/openrtm/orb/asker.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace nezumi::openrtm {
 namespace {
 
-// RTCs asked in parallel, and the time during which further ones are started.
+// The number of RTCs that are asked in parallel, and the time after which no further RTC is asked.
 constexpr std::size_t most_at_once = 16;
 constexpr std::chrono::seconds patience{3};
 // Waiting questions.
@@ -110,11 +110,11 @@ PeerAnswer Asker::answer(const PeerQuestion& question) {
             return {.problem = "'" + question.name + "' was not found: its entry in the name service is stale"};
         }
     } catch (const CORBA::Exception&) {
-        return {.problem = "no name service answers at " + names_.addresses() + ": start one, as omniNames"};
+        return {.problem = "no name service answers at " + names_.addresses() + ": start one, for example omniNames"};
     }
 }
 
-// An RTC of this program has known paths of ports, and the parameters of the system.
+// For an RTC of this program, also adds the paths of its ports.
 PeerSnapshot Asker::look_at_one(const NameService::Named& named, bool is_whole) {
     const RtcObject* ours = nullptr;
     PortableServer::ServantBase_var servant;
@@ -152,7 +152,7 @@ PeerAnswer Asker::look_at_all(bool is_whole) {
     try {
         for (std::size_t i = 1; i < std::min(all.size(), most_at_once); ++i) helpers.push_back(start_thread(look));
     } catch (const std::system_error&) {
-        // No further thread can be made: the existing ones do the work.
+        // No further thread can be made. The existing ones do the work, only slower.
     }
     look();
     for (std::thread& helper : helpers) helper.join();

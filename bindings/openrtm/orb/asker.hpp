@@ -1,4 +1,4 @@
-// The thread that asks RTCs questions of people: no other thread waits for a silent RTC.
+// The thread that asks RTCs when a user wants to know something, so that no other thread waits for a silent RTC.
 #pragma once
 
 #include <atomic>
@@ -17,7 +17,7 @@ namespace nezumi::openrtm {
 class Asker {
 public:
     Asker(CORBA::ORB_ptr orb, const std::vector<std::string>& nameservers);
-    /// Answers waiting questions: the run ends.
+    /// Answers the waiting questions before it returns.
     ~Asker();
     Asker(const Asker&) = delete;
     Asker& operator=(const Asker&) = delete;

@@ -8,7 +8,8 @@
 
 namespace nezumi::openrtm {
 
-/// During its lifetime, calls of this thread that are not answered by then fail as if the peer hung.
+/// During the lifetime of this object, CORBA calls of this thread fail, as if the peer hung, if they are not answered
+/// before the deadline.
 class CallDeadline {
 public:
     explicit CallDeadline(std::chrono::milliseconds from_now) {

@@ -50,7 +50,8 @@ private:
     std::thread thread_;
 };
 
-/// Does not call the peer, so a port that hangs is noticed only at the first message.
+/// Converts a reference to a typed one without calling the peer. So a peer that hangs is noticed only at the first
+/// message.
 template <class Interface>
 typename Interface::_ptr_type peer_of(CORBA::ORB_ptr orb, const std::string& reference) {
     try {

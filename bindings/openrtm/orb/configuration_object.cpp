@@ -1,4 +1,4 @@
-// Reads values from the component's latest snapshot; sets them by requests, which are checked like any other act.
+// Values are read from the component's latest snapshot, and set by requests, which are checked like any other act.
 #include "bindings/openrtm/orb/configuration_object.hpp"
 
 #include <algorithm>

@@ -21,7 +21,7 @@ public:
     CORBA::Any* get_configuration_parameter_value(const char* name) override;
     CORBA::Boolean set_configuration_parameter(const char* name, const CORBA::Any& value) override;
 
-    // Sets come from the system's file and there are no organizations, so none of this is supported.
+    // Not supported, because configuration sets come from the system file, and there are no organizations.
     SDOPackage::ParameterList* get_configuration_parameters() override { return new SDOPackage::ParameterList; }
     CORBA::Boolean add_configuration_set(const SDOPackage::ConfigurationSet& /*values*/) override { return false; }
     CORBA::Boolean remove_configuration_set(const char* /*id*/) override { return false; }

@@ -27,10 +27,10 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Connections waiting for accept: they come on top of all limits.
+// The largest number of connections that wait for accept; they are not counted in the limits.
 constexpr int longest_queue = 32;
 // The shortest and the longest time between two checks. The listening socket wakes the thread for most connections,
-// but not for one that the ORB accepts before the thread has looked.
+// but not for a connection that the ORB accepts before this thread has checked the socket.
 constexpr std::chrono::milliseconds shortest_pause{1}, longest_pause{200};
 
 struct End {
@@ -38,7 +38,7 @@ struct End {
     std::uint16_t port = 0;
 };
 
-// Returns an end of a TCP socket; nothing for any other file.
+// Returns the address of one end of a TCP socket; nothing for any other file.
 template <class Name>
 std::optional<End> end_of(int file, const Name& name) {
     sockaddr_storage storage{};

@@ -1,5 +1,5 @@
-// Limits connections to the ORB: any peer can open many, and each uses a descriptor of the process, which consoles,
-// motors, files and the page's STOP also need.
+// Limits the connections to the ORB. Any peer can open many, and each uses a file descriptor of this process; consoles,
+// motors, files and the page's STOP need descriptors too.
 #pragma once
 
 #include <dirent.h>
@@ -14,13 +14,14 @@
 
 namespace nezumi::openrtm {
 
-/// CORBA has no authentication. A connection counts as used after the first answer on it. RTCs whose connection was
-/// closed connect again with their next call.
+/// CORBA has no authentication, so unused connections are closed first. A connection counts as used after the first
+/// answer on it. RTCs whose connection was closed connect again with their next call.
 struct ConnectionLimits {
-    std::size_t most = 64;            ///< connections at once; above it the oldest unused one is closed,
-    std::size_t most_of_source = 32;  ///< also above this number from one address
-    std::size_t most_unused = 16;     ///< connections without a request; the oldest is closed first,
-    std::chrono::milliseconds longest_unused{5'000};  ///< and each one after this time
+    // Above a limit, connections are closed: those that were never used first, and of these the oldest first.
+    std::size_t most = 64;                            ///< connections in all
+    std::size_t most_of_source = 32;                  ///< connections from one address
+    std::size_t most_unused = 16;                     ///< connections that were never used
+    std::chrono::milliseconds longest_unused{5'000};  ///< after this time a connection that was never used is closed
     std::size_t most_in_a_burst = 256;  ///< above it, or above a quarter of the process's descriptors, none is accepted
 };
 

@@ -12,27 +12,27 @@
 
 namespace nezumi::openrtm {
 
-/// Properties of a connection: the reference of the in-port's side, and of the out-port's side.
+/// Names of a connection's properties: the CORBA reference of the in-port's side, and of the out-port's side.
 inline constexpr const char* in_port_reference = "dataport.corba_cdr.inport_ior";
 inline constexpr const char* out_port_reference = "dataport.corba_cdr.outport_ior";
 
 class Connector {
 public:
     virtual ~Connector() = default;
-    /// Takes a message of the out-port, in the byte order of the terms.
+    /// Sends a message of the out-port, encoded in the byte order of the connection's terms.
     virtual void publish(std::span<const std::uint8_t> /*bytes*/) {}
     /// The connection will end: later messages are dropped, and zero is sent to a robot that may be moving. Does not
     /// wait.
     virtual void stop() {}
-    /// True if the peer has received the last message of `stop` and had time to use it.
+    /// True if the peer has received the zero that `stop` sends, and had time to use it.
     virtual bool is_settled() { return true; }
     /// True if the peer is gone and no more data are exchanged.
     virtual bool is_lost() const { return false; }
-    /// The reference that the peer calls; "" if we call the peer.
+    /// The CORBA reference that the peer calls; "" if we call the peer.
     virtual std::string reference() const { return ""; }
 };
 
-/// The target of an in-port's messages, and their sender's name.
+/// Where the messages of an in-port's connection go, and the name of the connection.
 struct RtcInlet {
     RtcSite& site;
     std::string path{};
@@ -40,16 +40,16 @@ struct RtcInlet {
     bool of_velocities = false;
 };
 
-/// The target of an out-port's messages.
+/// Where the messages of an out-port's connection go.
 struct RtcOutlet {
     RTC::PortService_var peer{};  ///< the port at the other end
     bool of_velocities = false;
 };
 
-/// The peer calls us.
+/// Makes a connection of an in-port to which the peer pushes: the peer calls us.
 std::unique_ptr<Connector> make_push_inlet(CORBA::ORB_ptr orb, const RtcInlet& inlet, const Terms& terms);
 std::unique_ptr<Connector> make_pull_outlet(CORBA::ORB_ptr orb, const RtcOutlet& outlet);
-/// We call the peer. Returns nullptr if the reference is invalid.
+/// Makes a connection of an in-port that fetches: we call the peer. Returns nullptr if the reference is invalid.
 std::unique_ptr<Connector> make_pull_inlet(CORBA::ORB_ptr orb, const std::string& reference, const RtcInlet& inlet,
                                            const Terms& terms);
 std::unique_ptr<Connector> make_push_outlet(CORBA::ORB_ptr orb, const std::string& reference, const RtcOutlet& outlet,

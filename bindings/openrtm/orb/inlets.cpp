@@ -1,5 +1,6 @@
-// Receives messages for an in-port. A value that is read again is not a message: an RTC that has stopped executing
-// repeats its last one forever, from its empty buffer (`readback`) or from its periodic publisher (`periodic`).
+// Receives messages for an in-port. Repeated messages are dropped: an RTC that has stopped executing repeats its last
+// one forever, from its empty buffer (`readback`) or from its periodic publisher (`periodic`), and a robot must not
+// continue with that.
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -13,7 +14,7 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Between two fetches from a peer.
+// The time between two fetches from a peer.
 constexpr std::chrono::milliseconds fetch_period{10};
 
 // Recognises a repeated message: stamp and content equal those of the one before.
@@ -27,7 +28,7 @@ public:
         if (!is_one) last_ = message;
         return is_one;
     }
-    /// A dropped message may have been new: without a stamp that is unknown.
+    /// Reports once that velocities without a stamp were dropped: such a message may have been new, not a repetition.
     void dropped(const Bytes& message) {
         if (told_ || !inlet_.of_velocities || is_stamped(message) || !is_motion(message)) return;
         told_ = true;
@@ -62,7 +63,7 @@ public:
         }
         return OpenRTM::UNKNOWN_ERROR;
     }
-    /// Waits for a message that is being taken; none comes afterwards.
+    /// Waits until a message that is being taken is done. No message is taken afterwards.
     void close() {
         const std::lock_guard lock(mutex_);
         closed_ = true;
@@ -77,7 +78,7 @@ private:
 
     const RtcInlet inlet_;
     const std::endian order_;
-    const bool may_repeat_;  // its publisher is periodic
+    const bool may_repeat_;  // the peer's publisher is periodic
     Mutex mutex_;            // for the members below; held while a message is taken, never while a peer is called
     Repeats repeats_{inlet_};
     bool closed_ = false;

@@ -1,5 +1,5 @@
-// Connections between two ports of this system, as RTCs see them. The system itself makes them and carries their
-// messages.
+// Shows connections between two ports of this system to RTCs and tools. The system itself makes these connections and
+// carries their messages.
 #include <algorithm>
 
 #include "bindings/openrtm/orb/port_object.hpp"
@@ -11,12 +11,13 @@
 namespace nezumi::openrtm {
 namespace {
 
-// A connection that a tool has made is shown immediately; the system's list may be a little older.
+// A connection that a tool has made is shown immediately. For this time it stays, even if the system's list, which may
+// be older, lacks it.
 constexpr std::chrono::seconds grace{2};
 
 }  // namespace
 
-// The other port of a connection with just one, if both belong to the same system.
+// The other port of a connection between two ports, if both belong to this system.
 PortableServer::Servant_var<PortObject> PortObject::port_of_ours(const RTC::ConnectorProfile& profile) {
     if (profile.ports.length() != 2) return {};
     const CORBA::ULong other = is_self(profile.ports[0]) ? 1 : 0;
@@ -78,7 +79,7 @@ RTC::ReturnCode_t PortObject::connect_inside(const RTC::ConnectorProfile& profil
     return made;
 }
 
-// Nothing if there is none of this id.
+// Ends the connection with this id; returns nothing if there is none.
 std::optional<RTC::ReturnCode_t> PortObject::disconnect_inside(const std::string& id) {
     std::string path;
     RTC::ConnectorProfile profile;

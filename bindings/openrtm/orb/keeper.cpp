@@ -1,4 +1,5 @@
-// A round takes the requested state, registers names, and checks peers; it holds no lock while it calls a peer.
+// The thread works in rounds: it takes the requested state, registers names, and checks peers. It holds no lock while
+// it calls a peer.
 #include "bindings/openrtm/orb/keeper.hpp"
 
 #include <algorithm>
@@ -18,19 +19,21 @@ namespace {
 constexpr std::chrono::milliseconds pause{200};
 constexpr int rounds_of_peers = 5;
 constexpr int rounds_of_links = 2;
-// An RTC that ends also ends its connections, so we ask after this time whether it is alive.
+// An RTC that ends its run also ends its connections. So after a connection has ended, we ask only after this time
+// whether the RTC is alive.
 constexpr std::chrono::seconds last_words{3};
-// Time that the system has to request what was reported to it; then it is reported again, if it is still there.
+// A connection made by others is reported to the system, which then requests it. If it is not requested within this
+// time and still exists, it is reported again.
 constexpr std::chrono::seconds longest_request{10};
-// Limit for all calls that withdraw the exports when the run ends.
+// The longest time for all calls together that withdraw the exports when the run ends.
 constexpr std::chrono::milliseconds longest_end{1500};
-// Instances with one name on a computer.
+// The largest number of instances with the same name on a computer.
 constexpr int most_instances = 100;
 // Kinds of names.
 constexpr const char* rtc_kind = ".rtc";
 constexpr const char* manager_kind = ".mgr";
 
-// The key of the connection in `told_`.
+// The key for messages about a connection in `told_`.
 std::string about(const RtcLink& link) { return link.path + " rtm:" + link.component + "." + link.port; }
 
 }  // namespace
@@ -44,7 +47,7 @@ Keeper::~Keeper() {
     {
         const std::lock_guard lock(mutex_);
         ends_ = true;
-        for (const Rtc& rtc : rtcs_) rtc->stop();  // at once, because the thread may wait for a peer
+        for (const Rtc& rtc : rtcs_) rtc->stop();  // immediately, because the thread may be waiting for a peer
     }
     changed_.notify_all();
     thread_.join();
@@ -57,7 +60,7 @@ Keeper::~Keeper() {
     withdraw(rtcs_);
 }
 
-// Components are only listed: the lock is not held while they answer.
+// The manager lists components under the lock, but asks them without it.
 void Keeper::begin_manager() {
     manager_ = new ManagerObject(home_.site, free_instance("nezumi", manager_kind), [this] {
         const std::lock_guard lock(mutex_);
@@ -199,7 +202,7 @@ void Keeper::take_links(const std::vector<RtcLink>& wanted) {
     links_ = std::move(links);
 }
 
-// Tells all robots to stop before it waits for any.
+// Sends all robots their stop first, and only then waits for them.
 void Keeper::withdraw(const std::vector<Rtc>& gone) {
     for (const Rtc& rtc : gone) rtc->stop();
     const auto deadline = Clock::now() + PortObject::longest_settling;
@@ -259,7 +262,7 @@ void Keeper::register_all() {
             server.let_rest();
             tell_once(about, true,
                       "rtm: no name service answers at " + server.names.address() +
-                          ": start one, as omniNames; our RTCs can't be found "
+                          ": start one, for example omniNames; our RTCs can't be found "
                           "until then");
         }
     }
@@ -285,7 +288,7 @@ void Keeper::look_after_connections() {
             if (rounds_ % rounds_of_peers == 0) {
                 for (std::string& id : port->ask_peers(goes_on)) lost.push_back(std::move(id));
             }
-            // These were not ended by anyone else.
+            // These connections were lost with their peers, not ended on purpose. Requested ones are made again.
             for (Link& link : links_) {
                 if (!contains(lost, link.id)) continue;
                 lose(link, link.is_joined);
@@ -294,8 +297,8 @@ void Keeper::look_after_connections() {
     }
 }
 
-// A connection is made again after its RTC was away. A connection that was ended by a living RTC was removed on
-// purpose, by a tool or on its own.
+// True if a requested connection must be made now. It is made again after its RTC was away. If the RTC lives but the
+// connection is gone, a tool or the RTC has removed it on purpose, and it is not made again.
 bool Keeper::is_to_be_made(Link& link, PortObject& port) {
     if (CORBA::is_nil(link.theirs)) return !link.is_ended;
     if (std::string id = port.connection_with(link.theirs); !id.empty()) {
@@ -312,14 +315,14 @@ bool Keeper::is_to_be_made(Link& link, PortObject& port) {
     return !is_over;
 }
 
-// The next state of the link is reported, even if it is the same as before.
+// Forgets a connection that is gone, and what was reported about it, so that its next state is reported again.
 void Keeper::lose(Link& link, bool is_over) {
     told_.erase(about(link.wanted));
     if (is_over) home_.site.ended(link.wanted);
     link = {.wanted = link.wanted, .is_ended = is_over};
 }
 
-// RTCs or tools have made the connections that exist and were not requested.
+// Reports connections that exist but were not requested: RTCs or tools have made them.
 void Keeper::look_for_joined() {
     std::erase_if(joined_, [](const Joined& each) { return Clock::now() - each.at > longest_request; });
     for (const Rtc& rtc : rtcs_) {
@@ -379,7 +382,7 @@ void Keeper::make_links() {
     }
 }
 
-// Reports a lasting condition once.
+// Reports a condition once while it lasts.
 void Keeper::tell_once(const std::string& about, bool is_problem, const std::string& text) {
     std::string& last = told_[about];
     if (last == text) return;

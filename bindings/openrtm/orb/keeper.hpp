@@ -26,7 +26,7 @@ public:
     Keeper(const Keeper&) = delete;
     Keeper& operator=(const Keeper&) = delete;
 
-    // For the ticking thread: does not wait for a peer.
+    // These are called by the ticking thread, and do not wait for a peer.
     void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links);
     void show_inside(std::vector<RtcInside> connections);
     WantedOrders wanted(std::string_view path);
@@ -45,14 +45,14 @@ private:
         RtcLink wanted{};
         RTC::PortService_var theirs{};                ///< the other port, after the connection was made
         std::string id{};                             ///< of the last connection
-        std::optional<Clock::time_point> ended_at{};  ///< when its end by another side was noticed
-        bool is_ended = false;                        ///< it was ended on purpose
+        std::optional<Clock::time_point> ended_at{};  ///< when it was noticed that the connection is gone
+        bool is_ended = false;                        ///< it was ended on purpose, so it is not made again
         bool is_joined = false;                       ///< an RTC or a tool has made it: it is not made again
     };
     /// A connection made by an RTC or a tool.
     struct Joined {
         std::string id{};
-        std::optional<Link> link{};  ///< none: the other port does not say whose it is
+        std::optional<Link> link{};  ///< none: the RTC of the other port is unknown
         Clock::time_point at{};
     };
 
@@ -81,7 +81,7 @@ private:
     const bool has_manager_;
     PortableServer::Servant_var<ManagerObject> manager_;
     std::vector<Link> links_;                  // used only by the thread, as the next three
-    std::vector<Joined> joined_;               // that are reported and not yet requested by the system
+    std::vector<Joined> joined_;               // reported to the system, but not yet requested by it
     std::map<std::string, std::string> told_;  // the last messages, by subject
     int rounds_ = 0;
 

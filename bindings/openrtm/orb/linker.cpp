@@ -32,9 +32,10 @@ std::string connect(PortObject& ours, const RtcLink& wanted, RTC::PortService_pt
     return std::string(connection_problem(ours.connect(profile)));
 }
 
-// The name that leads to an RTC, short if that is enough; the one that it gives itself if none does.
+// The name by which the name services find an RTC: the short one if it is enough. If no name finds it, the name that
+// the RTC itself gives.
 std::string name_of(NameServers& names, RTC::RTObject_ptr rtc, const std::string& instance, std::string registered) {
-    registered = registered.substr(0, registered.find(','));  // it may have several
+    registered = registered.substr(0, registered.find(','));  // an RTC may have several names
     if (const std::string_view kind = ".rtc"; registered.ends_with(kind))
         registered.resize(registered.size() - kind.size());
     for (const std::string& name : {instance, registered}) {

@@ -1,4 +1,4 @@
-// A component that was added is exported by the keeper's thread, which is waited for.
+// After adding a component, the manager waits until the keeper's thread has exported it.
 #include "bindings/openrtm/orb/manager_object.hpp"
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 namespace nezumi::openrtm {
 namespace {
 
-// The longest text of a new component.
+// The longest argument of `create_component`.
 constexpr std::size_t most_letters = 4096;
-// Names that are tried for a component: "controller", "controller_2", ...
+// The number of names that are tried for a new component: "controller", "controller_2", ...
 constexpr int most_names = 100;
-// Time until a component that was added is exported.
+// The longest time until a new component is exported.
 constexpr std::chrono::milliseconds longest_export{2000};
 
-// What is asked for: "RobotController", and properties by name.
+// A requested component: its type "RobotController", and properties by name.
 struct Wanted {
     std::string type{};
     std::string instance{};
@@ -107,7 +107,7 @@ std::string ManagerObject::make(const std::string& script, const std::string& wa
 
 RTC::RTObject_ptr ManagerObject::find_soon(const std::string& component) {
     const auto end = std::chrono::steady_clock::now() + longest_export;
-    RTC::RTObject_var made;  // if no name service answers in time
+    RTC::RTObject_var made;  // returned without a registered name if no name service answers in time
     while (std::chrono::steady_clock::now() < end) {
         for (const auto& rtc : listed()) {
             if (rtc->profile().component != component) continue;

@@ -12,7 +12,7 @@
 
 namespace nezumi::openrtm {
 
-/// The exported components at the moment.
+/// Returns the components that are exported now.
 using RtcLister = std::function<std::vector<PortableServer::Servant_var<RtcObject>>()>;
 
 class ManagerObject final : public POA_RTM::Manager {
@@ -22,18 +22,19 @@ public:
         : site_(site), instance_(std::move(instance)), list_(std::move(list)) {}
 
     RTM::Manager_ptr begin();
-    /// Components are no longer listed: `list` is not called afterwards.
+    /// From now on, no components are listed, and `list` is not called.
     void end();
     RTM::Manager_ptr reference() const { return self_.in(); }
     const std::string& instance() const { return instance_; }
 
-    /// Each behaviour is a module that is loaded already.
+    /// Only checks that the module exists: each behaviour is a module that counts as loaded.
     RTC::ReturnCode_t load_module(const char* name, const char* init) override;
     RTM::ModuleProfileList* get_loadable_modules() override { return modules(); }
     RTM::ModuleProfileList* get_loaded_modules() override { return modules(); }
     RTM::ModuleProfileList* get_factory_profiles() override { return modules(); }
-    /// "RobotController?instance_name=controller0&conf.default.speed_x=0.2", or an id "RTC:Vendor:Category:Type:1.0"
-    /// before the question mark. The component is INACTIVE. Nil if it can't be made; the log has the reason.
+    /// `text` is "RobotController?instance_name=controller0&conf.default.speed_x=0.2"; before the question mark there
+    /// may also be an id "RTC:Vendor:Category:Type:1.0". The new component is INACTIVE. Returns nil if it can't be
+    /// made; the log has the reason.
     RTC::RTObject_ptr create_component(const char* text) override;
     RTC::ReturnCode_t delete_component(const char* instance) override;
     RTC::RTCList* get_components() override { return components(""); }
@@ -43,7 +44,7 @@ public:
     RTM::NVList* get_configuration() override;
     RTC::ReturnCode_t shutdown() override;
 
-    // One manager is alone, and is as the system's file says.
+    // There is only one manager, and it can't be changed, because its settings come from the system file.
     CORBA::Boolean is_master() override { return true; }
     RTM::ManagerList* get_master_managers() override { return new RTM::ManagerList; }
     RTM::ManagerList* get_slave_managers() override { return new RTM::ManagerList; }

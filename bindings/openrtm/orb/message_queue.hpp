@@ -16,8 +16,8 @@ namespace nezumi::openrtm {
 
 using Clock = std::chrono::steady_clock;
 
-/// Only the latest velocity waits. A robot that got a velocity gets zero after `velocity_silence` without a
-/// message, and before the connection ends.
+/// Of velocities only the latest waits. If a velocity was sent to a robot, velocity 0 is sent after `velocity_silence`
+/// without a message, and before the connection ends.
 class MessageQueue {
 public:
     MessageQueue(std::size_t capacity, bool of_velocities)
@@ -31,17 +31,17 @@ public:
         }
         changed_.notify_one();
     }
-    /// A message that the peer did not accept waits again, unless a newer one waits.
+    /// Puts back a message that the peer did not accept, unless a newer one waits.
     void put_back(Bytes message) {
         const std::lock_guard lock(mutex_);
         if (messages_.empty()) messages_.push_back(std::move(message));
     }
-    /// Takes the oldest one. Returns false if there is none.
+    /// Takes the oldest message. Returns false if there is none.
     bool take(Bytes& message) {
         const std::lock_guard lock(mutex_);
         return take_with_lock(message);
     }
-    /// Waits for one. Returns false if no more will come.
+    /// Waits for a message. Returns false if no more will come.
     bool wait(Bytes& message) {
         Lock lock(mutex_);
         for (;;) {
@@ -55,18 +55,18 @@ public:
             }
         }
     }
-    /// Waits for the time or for `stop`. Returns false if the queue has ended.
+    /// Waits until `time`, or until `stop` is called. Returns false if the queue has ended.
     bool wait_until(Clock::time_point time) {
         Lock lock(mutex_);
         changed_.wait_until(lock, time, [this] { return ended_ || stopped_; });
         return !ended_;
     }
-    /// Waits for the time or for `end`.
+    /// Waits until `time`, or until `end` is called.
     void rest_until(Clock::time_point time) {
         Lock lock(mutex_);
         changed_.wait_until(lock, time, [this] { return ended_; });
     }
-    /// From now on messages are dropped. To a robot that may be moving, zero is sent last.
+    /// From now on, new messages are dropped. If a robot may be moving, velocity 0 is sent as the last message.
     void stop() {
         {
             const std::lock_guard lock(mutex_);
@@ -75,7 +75,7 @@ public:
         }
         changed_.notify_all();
     }
-    /// Nothing more will be sent.
+    /// True if nothing more will be sent.
     bool is_done() {
         const std::lock_guard lock(mutex_);
         return stopped_ && messages_.empty();
@@ -113,7 +113,7 @@ private:
     std::condition_variable changed_;
     std::deque<Bytes> messages_;
     Bytes last_;                  // for velocities: the last message
-    bool moves_ = false;          // it is not zero
+    bool moves_ = false;          // the last message is not zero
     Clock::time_point put_at_{};  // time of the last message
     bool stopped_ = false;
     bool ended_ = false;

@@ -1,4 +1,4 @@
-// omniORB: starts with its options, and waits for running calls at the end.
+// Starts omniORB with its options, and at the end waits for running calls.
 #include <omniORB4/CORBA.h>
 #include <omniORB4/internal/objectAdapter.h>
 
@@ -36,7 +36,7 @@ public:
           keeper_(std::make_unique<Keeper>(Home{orb_.in(), site}, options)),
           gate_(own_port()) {}
     ~OmniOrb() override {
-        keeper_.reset();  // must be the first: it tells robots to stop
+        keeper_.reset();  // must be the first, because it sends robots their stop
         asker_.reset();
         try {
             orb_->destroy();  // waits for running calls, each at most a second
@@ -66,7 +66,7 @@ private:
 };
 
 CORBA::ORB_ptr begin(const OrbOptions& options) {
-    // Limits per side: a call, and the connection before it [ms]; the longest message [bytes]; threads for peers.
+    // Limits: the time of a call and of connecting [ms], the size of a message [bytes], the threads for peers.
     const std::string end_point = "giop:tcp:" + options.interface + ":";
     const char* settings[][2] = {{"traceLevel", "0"},  // errors are reported by nezumi
                                  {"clientCallTimeOutPeriod", "1000"},

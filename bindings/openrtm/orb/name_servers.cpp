@@ -1,4 +1,4 @@
-// A single name service is always asked, because there is no other to ask instead.
+// If there is only one name service, it is always asked, because there is no other to ask instead.
 #include "bindings/openrtm/orb/name_servers.hpp"
 
 #include <algorithm>

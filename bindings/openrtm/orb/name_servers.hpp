@@ -1,5 +1,5 @@
-// The name services of a system together: each one that does not answer is left alone for a while, so that it delays no
-// search in the others.
+// All name services of a system. One that does not answer is not asked for a while, so that it does not delay searches
+// in the others.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@ public:
 
     struct Server {
         NameService names;
-        bool may_rest = false;  ///< there are others
+        bool may_rest = false;  ///< there are other name services to ask instead
         std::chrono::steady_clock::time_point rests_until{};
         bool is_resting() const { return std::chrono::steady_clock::now() < rests_until; }
         void let_rest() {
@@ -35,12 +35,12 @@ public:
     std::string addresses() const;
     const std::string& own_context() const { return servers_.front().names.own_context(); }
 
-    // These throw CORBA's exception of the last one if no name service answers.
+    // If no name service answers, these functions throw the CORBA exception of the last one.
     /// Finds an RTC in the first name service that has it, as `NameService::find`.
     Expected<NameService::Named> find(const std::string& component);
-    /// The RTCs of all name services; an RTC that two have is there once.
+    /// The RTCs of all name services. An RTC in several name services is listed once.
     std::vector<NameService::Named> all();
-    /// Removes the name of an RTC that has ended, from all name services. An error if it still runs.
+    /// Removes the name of an RTC that has ended from all name services. An error if the RTC still runs.
     PeerAnswer forget(const NameService::Named& named);
 
 private:

@@ -1,4 +1,4 @@
-// Names are contexts and, at the end, an object of the kind "rtc".
+// A name is a sequence of contexts and, at the end, an object of the kind "rtc".
 #include "bindings/openrtm/orb/name_service.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr CORBA::ULong most_contexts = 256;
 constexpr CORBA::ULong most_listed = 1000;
 constexpr int deepest = 4;
 
-// "pc.host_cxt": the part after the last dot is the kind. The last component without a kind is an RTC.
+// Appends one part of a name: "pc.host_cxt" has the kind "host_cxt". The last part has the kind "rtc" if none is given.
 void append(CosNaming::Name& name, std::string_view part, bool is_last) {
     const std::size_t dot = part.rfind('.');
     const bool has_kind = dot != std::string_view::npos && dot > 0;
@@ -37,7 +37,7 @@ CosNaming::Name name_of(std::string_view path) {
     }
 }
 
-// "pc.host_cxt"
+// The text of one part of a name: "pc.host_cxt".
 std::string naming_text(const CosNaming::NameComponent& component) {
     const std::string kind = component.kind.in();
     return component.id.in() + (kind.empty() ? "" : "." + kind);
@@ -95,7 +95,7 @@ void NameService::rebind(const std::string& name, CORBA::Object_ptr object) {
     try {
         const CosNaming::NamingContext_var made = root()->bind_new_context(context);
     } catch (const CosNaming::NamingContext::AlreadyBound&) {
-        // Every computer that has had an RTC has such an entry.
+        // The context of this computer exists already, if the computer has had an RTC before.
         root()->rebind(whole, object);
         return;
     }

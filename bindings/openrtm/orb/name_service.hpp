@@ -22,15 +22,15 @@ public:
     /// "pc.host_cxt": the context of this computer.
     const std::string& own_context() const { return own_context_; }
 
-    /// What is bound to a name in this computer's context.
+    /// The kind of object that is bound to a name in this computer's context. `stale`: it does not answer.
     enum class Bound { nothing, ours, other, stale };
-    // These may wait for a second or two, and throw CORBA's exceptions if there is no answer.
+    // The following functions may wait for two seconds. Without an answer they throw CORBA's exceptions.
     Bound bound(const std::string& name, CORBA::Object_ptr ours);
     /// Binds the name, replacing another object.
     void rebind(const std::string& name, CORBA::Object_ptr object);
     /// Unbinds the name if it is bound to this object.
     void unbind(const std::string& name, CORBA::Object_ptr object);
-    /// A binding of an RTC, which may be stale.
+    /// A name and its RTC, which may be gone.
     struct Named {
         std::string name{};  ///< "pc.host_cxt/ConsoleOut0"
         RTC::RTObject_var rtc{};

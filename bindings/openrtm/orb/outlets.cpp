@@ -1,5 +1,5 @@
-// Sends an out-port's messages, and at the end tells a robot at the other end to stop and gives it time to receive
-// that.
+// Sends an out-port's messages. When a connection ends, sends velocity 0 to a robot at the other end and gives it time
+// to receive that.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -16,11 +16,11 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-// Messages to an RTC wait in the connection's buffer, which is deleted with the connection. The RTC reads it at its
-// next execution, so it is read after two periods. The waiting time [s]: default, minimum, maximum.
+// Messages to an RTC wait in the connection's buffer, which is deleted with the connection. The RTC reads the buffer at
+// its next execution, so we wait for two of its periods. The waiting time [s]: default, minimum, maximum.
 constexpr double periods_to_read = 2;
 constexpr Seconds usual_time_to_read{0.3}, least_time_to_read{0.05}, most_time_to_read{1};
-// The time until the stop is sent again to a peer with a full buffer.
+// The time until the velocity 0 is sent again to a peer with a full buffer.
 constexpr std::chrono::milliseconds retry_period{10};
 
 Clock::duration clock_time(Seconds seconds) { return std::chrono::duration_cast<Clock::duration>(seconds); }
@@ -53,7 +53,7 @@ private:
     MessageQueue queue_;
 };
 
-// An RTC that fetches uses the message at once, because it executes.
+// The peer fetches messages. It needs no time to use a fetched message, because it fetches while it executes.
 class PullOutlet final : public Connector {
 public:
     PullOutlet(CORBA::ORB_ptr orb, bool of_velocities)
@@ -110,7 +110,7 @@ private:
     }
     void send(const Bytes& message) {
         const auto size = static_cast<CORBA::ULong>(message.size());
-        // The stub only reads its argument.
+        // The const_cast is safe: the called stub only reads its argument.
         const OpenRTM::CdrData data(size, size, const_cast<std::uint8_t*>(message.data()), false);
         const OpenRTM::PortStatus status = ask([&] { return peer_->put(data); });
         taken_at_.reset();

@@ -1,4 +1,4 @@
-// An RTC's first execution context is the one that runs it.
+// Requests go to an RTC's first execution context, because that is the one that executes it.
 #include "bindings/openrtm/orb/peer_calls.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ Texts texts_of(const SDOPackage::NVList& list) {
     return texts;
 }
 
-// Returns nil if it has none.
+// The first execution context of an RTC; nil if there is none.
 RTC::ExecutionContext_ptr context_of(RTC::RTObject_ptr rtc) {
     RTC::ExecutionContextList_var contexts = rtc->get_owned_contexts();
     if (contexts->length() == 0) return RTC::ExecutionContext::_nil();
@@ -62,7 +62,7 @@ void look_at_sets(PeerSnapshot& snapshot, RTC::RTObject_ptr rtc) {
         const SDOPackage::ConfigurationSet_var active = configuration->get_active_configuration_set();
         snapshot.set = active->id.in();
     } catch (const CORBA::UserException&) {
-        return;  // it has no configuration
+        return;  // the RTC has no configuration
     }
 }
 
@@ -141,7 +141,7 @@ std::string connection_between(RTC::PortService_ptr one, RTC::PortService_ptr ot
     return "";
 }
 
-// For a connection between data ports that asks for nothing in particular.
+// Adds the usual terms to a connection between data ports if the request gives none.
 void add_usual_terms(RTC::ConnectorProfile& connection) {
     const RTC::PortProfile_var port = connection.ports[0]->get_port_profile();
     const std::string type = text_of(port->properties, "dataport.data_type");

@@ -21,11 +21,11 @@ struct PeerPort {
     std::string port{};  ///< "out"
 };
 
-/// Connects two ports as the request says, or ends their connection. It is not an error if that is done already. May
-/// wait for some seconds.
+/// Connects two ports, or ends their connection, as requested. It is not an error if this was done before. May wait for
+/// some seconds.
 PeerAnswer connect_peers(const std::array<PeerPort, 2>& ends, const RtcRequest& request);
 
-/// Why a port refused a connection; "" if it did not.
+/// Why a port refused a connection; "" if it accepted.
 std::string_view connection_problem(RTC::ReturnCode_t code);
 
 /// The port of an RTC with this name; nil if there is none. Throws CORBA's exceptions if the RTC is gone or silent.

@@ -27,7 +27,7 @@ SDOPackage::NVList properties_of(const RtcPort& port) {
     return list;
 }
 
-// The client chooses all of it, and it is stored.
+// Limits a connection's profile, which is stored, because the client chooses all its texts.
 bool is_short(const RTC::ConnectorProfile& profile) {
     const auto fits = [](const char* text) { return std::string_view(text).size() <= PortObject::most_letters; };
     if (!fits(profile.name.in()) || !fits(profile.connector_id.in())) return false;
@@ -91,7 +91,8 @@ void PortObject::stop() {
     }
 }
 
-// An RTC never reads what is left in the buffer when its connection ends, and would drive on.
+// Waits until robots have received their stop. An RTC never reads a message that is left in the buffer when the
+// connection ends, so a robot would drive on.
 void PortObject::settle(const std::string& id, std::chrono::steady_clock::time_point deadline) {
     constexpr std::chrono::milliseconds pause{5};
     const auto is_settled = [&] {
@@ -141,7 +142,7 @@ PortObject::Connection PortObject::take_away(const std::string& id) {
     return connection;
 }
 
-// Without the lock: its thread may wait for a peer that hangs.
+// Call it without the lock: the connection's thread may wait for a peer that hangs.
 void PortObject::end(Connection connection) {
     if (connection.connector == nullptr) return;
     connection.connector.reset();
@@ -268,7 +269,7 @@ RTC::ReturnCode_t PortObject::disconnect(const std::string& id, std::chrono::ste
         if (found == connections_.end()) return RTC::BAD_PARAMETER;
         ports = found->second.profile.ports;
     }
-    // The first port passes it on. If it is gone, each other port is called.
+    // The first port passes the call on to the others. If the first port is gone, each other port is called.
     RTC::ReturnCode_t told = RTC::RTC_ERROR;
     for (CORBA::ULong i = 0; i < ports.length() && told != RTC::RTC_OK; ++i) {
         if (CORBA::is_nil(ports[i])) continue;
@@ -342,7 +343,7 @@ RTC::ReturnCode_t PortObject::notify_connect(RTC::ConnectorProfile& connector) {
 
 // From here on, every error undoes the previous steps.
 RTC::ReturnCode_t PortObject::make(RTC::ConnectorProfile& profile, const Terms& terms) {
-    // If the other side calls, it needs our reference.
+    // If the peer calls us, the profile must have our reference.
     std::unique_ptr<Connector> connector;
     const bool is_called = port_.is_in == terms.push;
     if (is_called) {
@@ -361,7 +362,7 @@ RTC::ReturnCode_t PortObject::make(RTC::ConnectorProfile& profile, const Terms& 
     }
     const std::lock_guard lock(mutex_);
     const auto found = connections_.find(profile.connector_id.in());
-    if (found == connections_.end()) return RTC::RTC_ERROR;  // it was removed meanwhile
+    if (found == connections_.end()) return RTC::RTC_ERROR;  // the connection was removed meanwhile
     found->second.profile = profile;
     found->second.connector = std::move(connector);
     return RTC::RTC_OK;

@@ -29,7 +29,7 @@ std::string new_id();
 
 class PortObject final : public POA_RTC::PortService {
 public:
-    /// Connections at once.
+    /// The largest number of connections at the same time.
     static constexpr std::size_t most_connections = 32;
     /// The longest name and id of a connection.
     static constexpr std::size_t most_letters = 256;
@@ -46,10 +46,10 @@ public:
     /// Deactivates the port. Ends its connections first, and waits until `deadline` at most for robots to receive their
     /// stop.
     void withdraw(std::chrono::steady_clock::time_point deadline);
-    /// Its connections will end: tells robots to stop.
+    /// Sends velocity 0 to robots, because the connections will end.
     void stop();
 
-    // For the ticking thread: does not wait.
+    // These are called by the ticking thread, and do not wait.
     WantedOrders wanted();
     void publish(std::span<const std::uint8_t> bytes, std::endian order);
 
@@ -69,7 +69,7 @@ public:
     // Connections with ports of ours, which the system carries:
     /// Removes all except those with ports of these paths and those that a tool has just made.
     void keep_inside(const std::vector<std::string>& others);
-    /// Shows one between two ports, at both, unless it is shown.
+    /// Shows a connection at both of its ports, unless they show it already.
     static void show_inside(PortObject& from, PortObject& to);
 
     RTC::PortProfile* get_port_profile() override;
@@ -82,7 +82,7 @@ public:
     RTC::ReturnCode_t notify_disconnect(const char* id) override;
 
 private:
-    // A connection; without a connector it is still being made.
+    // A connection. While it is being made, it has no connector.
     struct Connection {
         RTC::ConnectorProfile profile{};
         Terms terms{};

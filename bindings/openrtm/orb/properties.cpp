@@ -1,4 +1,4 @@
-// Texts are strings, or wide strings as from Java.
+// A text is a string, or a wide string, which programs in Java send.
 #include "bindings/openrtm/orb/properties.hpp"
 
 namespace nezumi::openrtm {

@@ -9,11 +9,11 @@
 namespace nezumi::openrtm {
 namespace {
 
-// The default.
+// The vendor of components that give none.
 constexpr const char* vendor = "nezumi";
 constexpr const char* version = "1.0";
 constexpr const char* category = "nezumi";
-// The only execution context.
+// The handle of the only execution context.
 constexpr RTC::ExecutionContextHandle_t own_handle = 0;
 
 }  // namespace

@@ -50,7 +50,7 @@ public:
 
     /// Activates the RTC.
     RTC::RTObject_ptr begin();
-    /// Its connections will end: tells robots to stop.
+    /// Sends velocity 0 to robots, because the connections of its ports will end.
     void stop();
     /// Disconnects its ports as `PortObject::withdraw` does, and deactivates it. May wait for peers.
     void withdraw(std::chrono::steady_clock::time_point deadline);
@@ -58,10 +58,10 @@ public:
     const RtcProfile& profile() const { return profile_; }
     const std::string& instance() const { return instance_; }
     RTC::RTObject_ptr reference() const { return self_.in(); }
-    /// Whether a name service has it.
+    /// True if the RTC is registered in a name service.
     bool is_named() const { return is_named_; }
     void note_named() { is_named_ = true; }
-    /// nullptr if there is no such path.
+    /// The port with this path in the system; nullptr if there is none.
     PortObject* find_port(std::string_view path) const;
     const std::vector<PortableServer::Servant_var<PortObject>>& ports() const { return ports_; }
 
@@ -87,7 +87,7 @@ public:
     SDOPackage::NVList* get_status_list() override { return new SDOPackage::NVList; }
     CORBA::Any* get_status(const char* name) override;
 
-    // Only the system runs it.
+    // These are refused, because only the system initializes and ends the component.
     RTC::ReturnCode_t initialize() override { return RTC::PRECONDITION_NOT_MET; }
     RTC::ReturnCode_t finalize() override { return RTC::PRECONDITION_NOT_MET; }
     /// Removes the component from the system.

@@ -1,4 +1,4 @@
-// What objects that peers call have in common: their end, and their answers.
+// Common functions of objects that peers call: deactivation, and return codes.
 #pragma once
 
 #include <omniORB4/CORBA.h>
@@ -19,14 +19,14 @@ inline RTC::ReturnCode_t code_of(RtcAnswer answer) {
     return RTC::RTC_ERROR;
 }
 
-/// The object can't be reached any more; a running call still uses it.
+/// Makes the object unreachable for peers. A running call may still use it.
 inline void deactivate(PortableServer::ServantBase& servant) {
     try {
         const PortableServer::POA_var poa = servant._default_POA();
         const PortableServer::ObjectId_var id = poa->servant_to_id(&servant);
         poa->deactivate_object(id);
     } catch (const CORBA::Exception&) {
-        // The ORB has ended, and the object with it.
+        // The ORB has ended, so the object is unreachable already.
         return;
     }
 }

@@ -38,7 +38,7 @@ std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
     };
     Terms terms;
     if (!has(said("dataport.interface_type", "corba_cdr"), "corba_cdr")) return std::nullopt;
-    // OpenRTM-aist 2 has two names for it.
+    // OpenRTM-aist 2 has two names for this property.
     const std::string serializer = said("dataport.marshaling_type", "cdr");
     if (!has(serializer, "cdr") && !has(serializer, "corba")) return std::nullopt;
     const std::string dataflow = said("dataport.dataflow_type", "push");
@@ -60,7 +60,7 @@ std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
     std::string policy = said("dataport.publisher.push_policy", "");
     if (policy.empty()) policy = said("dataport.push_policy", "");
     terms.keeps_all = policy == "all" || policy == "fifo";
-    // The first one is used, on both sides.
+    // Both sides use the first byte order of the list.
     const std::string orders = said("dataport.serializer.cdr.endian", "little");
     const std::string first = orders.substr(0, orders.find(','));
     if (has(first, "big")) {

@@ -15,16 +15,17 @@ struct Terms {
     /// latest periodically.
     enum class Subscription { flush, newest, periodic };
 
-    bool push = true;  ///< if false, the in-port fetches
+    bool push = true;  ///< the out-port sends; if false, the in-port fetches
     Subscription subscription = Subscription::flush;
     bool keeps_all = false;  ///< also sends the messages between two periods
     double rate = 0;         ///< [Hz] of `periodic`
     std::endian order = std::endian::little;
 };
 
-/// Returns nothing if they ask for an unsupported interface or serializer; only CORBA's CDR is supported.
+/// Reads the terms from a connection's properties. Nothing if they require another interface or serializer than CORBA's
+/// CDR, because no other is supported.
 std::optional<Terms> terms_of(const SDOPackage::NVList& properties);
-/// Adds the terms of the connections that we make: each message immediately, pushed. `type`: "TimedLong".
+/// Adds the terms of connections that we make: each message is pushed immediately. `type_id`: "IDL:RTC/TimedLong:1.0".
 void add_own_terms(SDOPackage::NVList& properties, const std::string& type_id);
 
 }  // namespace nezumi::openrtm

@@ -1,4 +1,4 @@
-// The encoded form of a velocity message: a stamp, then the velocity, which is zero if all its bytes are.
+// The encoded form of a velocity message: a stamp, then the velocity. The velocity is zero if all its bytes are zero.
 #pragma once
 
 #include <algorithm>

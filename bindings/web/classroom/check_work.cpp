@@ -1,4 +1,4 @@
-// The copy is made again for each check: what the pupil wrote, then the exercise's own scenarios over it.
+// Makes a new copy for each check: the pupil's files, and then the exercise's scenarios, which replace the pupil's.
 #include "bindings/web/classroom/check_work.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ struct Removed {
 };
 
 std::string csv_cell(std::string_view text) {
-    // A spreadsheet would compute a text that begins with one of these.
+    // A spreadsheet takes a text that begins with one of these characters for a formula, so it gets a ' before it.
     std::string cell(!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos ? "'"
                                                                                                                 : "");
     cell += text;
@@ -133,7 +133,7 @@ Expected<void> collect_class(const fs::path& folder, const std::vector<Exercise>
         const auto copied = collect_work(*pupils, *pupil, to);
         auto checked = !copied ? Unexpected(copied.error())
                        : exercise == exercises.end()
-                           ? failure("the exercise does not exist any more")
+                           ? failure("this exercise no longer exists")
                            : check_work({.exercise = *exercise,
                                          .work = pupils->work_of(*pupil),
                                          .scratch = folder / "checks" / std::to_string(pupil->number),

@@ -1,4 +1,4 @@
-// Pages of runs that pupils open: each is a process in the pupil's copy, confined as their system.
+// Pages of runs that pupils open. Each run is a process in the pupil's copy, confined as the pupil's system is.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A page that no browser shows ends; one that is loaded again comes back sooner.
+// The run of a page ends if no browser shows the page for this time. A page that is loaded again comes back sooner.
 constexpr std::chrono::seconds longest_absence{20};
 
 std::string field_in(const Json& request, const char* name) {

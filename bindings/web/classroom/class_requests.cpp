@@ -1,4 +1,5 @@
-// What visitors, pupils and the teacher ask of the class. Paths are made of numbers and of names of exercises only.
+// Handles requests of visitors, pupils and the teacher. Paths of files are made only from numbers and names of
+// exercises.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ Expected<Json> said(const Expected<void>& done) {
     return Json::object();
 }
 
-// What pupils ask for about the shared system.
+// The requests of pupils about the shared system.
 constexpr std::array<std::string_view, 4> of_shared{"queue", "leave_queue", "load", "stop_shared"};
 constexpr std::string_view pause_message = R"({"do":"time","what":"pause"})";
 constexpr std::string_view resume_message = R"({"do":"time","what":"resume"})";
@@ -117,7 +118,7 @@ Expected<Classroom::Json> Classroom::teach(const Json& request) {
             if (seat == nullptr) return failure("there is no such pupil");
             return teach_one(*seat, what, request);
         }
-        // All of them; also those who come later start with the exercise.
+        // The request is for all pupils. Pupils who join later start with this exercise, too.
         if (what == "exercise" && exercise_called(text_in(request, "exercise")) != nullptr)
             first_exercise_ = text_in(request, "exercise");
         for (auto& [number_of, seat] : seats_) {
@@ -171,7 +172,7 @@ Expected<void> Classroom::give_exercise(Seat& seat, const std::string& name) {
     const Exercise* exercise = exercise_called(name);
     if (exercise == nullptr) return failure("there is no exercise '" + name + "'");
     seat.pupil.exercise = name;
-    // Files that the pupil has changed before stay.
+    // Existing files stay: the pupil may have changed them.
     if (auto ok = copy_files(exercise->start(), pupils_.work_of(seat.pupil), false); !ok) return ok;
     std::error_code problem;
     std::filesystem::create_directories(pupils_.work_of(seat.pupil) / "behaviors", problem);

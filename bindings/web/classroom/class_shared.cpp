@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The requests of the pupil who drives, besides those that everybody may send who looks.
+// The requests that the driving pupil may send, in addition to the requests of all viewers.
 constexpr std::array<std::string_view, 3> while_driving{"drive", "rearm", "explain"};
 constexpr std::array<std::string_view, 4> acts_of_driver{"SetParameter", "Use", "Reset", "Press"};
 
@@ -97,11 +97,11 @@ void Classroom::begin_turn() {
     shared_->tell(stop_message);
     take_behaviors();
     for (auto& [id, client] : clients_) {
-        if (drives(client)) close(client);  // the page comes back with the right to drive
+        if (drives(client)) close(client);  // the page connects again, and then may drive
     }
 }
 
-// The robots stop now, and stand when the process has ended; the next one begins stopped.
+// Stops the robots now and restarts the system, which begins with the emergency stop on.
 void Classroom::end_turn() {
     shared_->turns.end();
     shared_->problem_of_driver.clear();
@@ -163,7 +163,7 @@ Classroom::Json Classroom::state_of_shared() const {
 Classroom::Json Classroom::shared_for_pupil(const Client& client) const {
     Json state = state_of_shared();
     const Seat& seat = *seats_.at(client.pupil);
-    // Others' numbers and names are for the teacher.
+    // A pupil sees no names and numbers of other pupils: only the teacher does.
     state["waiting"] = shared_->turns.waiting().size();
     state["place"] = shared_->turns.place_of(client.pupil);
     const bool is_driver = shared_->turns.driver() == client.pupil;

@@ -23,9 +23,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::chrono::milliseconds states_every{250};
 constexpr std::chrono::seconds repeated_every{2};
 constexpr std::chrono::seconds saves_every{2};
-// States of the class that may wait for a slow browser.
+// The most states of the class that may wait for a slow browser.
 constexpr std::size_t most_states = 4;
-// Shown while the pupil's own system file can't run: it has nothing, so that the file can be corrected in the editor.
+// An empty system that runs while the pupil's own system file can't, so that the pupil can correct the file in the
+// page.
 constexpr const char* stand_in = ".nezumi/repair.lua";
 constexpr std::string_view stand_in_text = "--- Shown while your own system file can't run.\narena {}\n";
 
@@ -103,7 +104,7 @@ void Classroom::upkeep(Clock::time_point now) {
         if (seat->run) seat->run->hurry(now);
         if (seat->run && seat->run->has_ended()) ended(*seat);
         serve_page(*seat, now);
-        // A class that was opened again starts the systems of those who come back.
+        // After the class was closed and opened again, a system starts only when its pupil has come back.
         if (!seat->run && seat->is_wanted && !seat->pupil.exercise.empty() && now >= seat->next_start) start(*seat);
     }
     serve_shared(now);
@@ -116,7 +117,7 @@ void Classroom::upkeep(Clock::time_point now) {
             seat->last_save = look_at_work(work, exercise->start()).last_save;
             trim_versions(work, options_.quota.bytes);
             auto over = enforce_quota(work, exercise->start(), options_.quota);
-            // In a repair texts are made shorter: that may take a while.
+            // While the pupil repairs the files, texts may still be too long: the system is not restarted for that.
             if (!over || (seat->is_repairing && over->removed == 0)) continue;
             close_page(*seat);
             restart(*seat);
@@ -151,7 +152,7 @@ void Classroom::show_states() {
         } else {
             state = json_text(state_for_pupil(client));
         }
-        // A page takes a silent connection for a lost one.
+        // An unchanged state is repeated, because a page takes a silent connection for a lost one.
         if (state == client.shown && shown_ - client.shown_at < repeated_every) continue;
         client.shown = state;
         client.shown_at = shown_;
@@ -249,7 +250,7 @@ Classroom::Json Classroom::state_for_pupil(const Client& client) const {
     state["mark"] = seat.pupil.mark;
     state["comment"] = seat.pupil.comment;
     state["check"] = seat.check;
-    // Hidden scenarios are only counted: how many pass.
+    // Pupils do not see the hidden scenarios, only how many of them pass.
     Json checked = Json::array();
     std::size_t hidden = 0, hidden_passed = 0;
     for (const CheckedScenario& each : seat.checked) {

@@ -1,4 +1,4 @@
-// Browsers' messages go to the pupils' processes as they are; only those to the class are read here.
+// Passes the messages of browsers to the processes of pupils unchanged. Only messages to the class are read here.
 #include "bindings/web/classroom/classroom.hpp"
 
 #include <fmt/format.h>
@@ -19,11 +19,11 @@
 namespace nezumi::web {
 namespace {
 
-// Visitors have this token: it is not a secret.
+// The token of all visitors. It is not a secret.
 constexpr std::string_view visitors = "join";
 constexpr std::string_view for_the_class = R"("do":"class")";
 
-// Asks for a page of its own.
+// Whether the request is for a page of its own: a failed run, or a scenario to watch.
 bool opens_page(const nlohmann::ordered_json& request) {
     if (!request.is_object() || request.value("do", nlohmann::ordered_json()) != "test") return false;
     const auto what = request.value("what", nlohmann::ordered_json());
@@ -49,8 +49,7 @@ std::vector<Exercise> exercises_of(const ClassOptions& options) {
 Expected<std::unique_ptr<Classroom>> Classroom::open(ClassOptions options) {
     if (!options.trust && !can_confine())
         return failure(
-            "this kernel can't confine the programs of pupils (Landlock, Linux 5.13): they could read all files of "
-            "yours. "
+            "this kernel can't confine the programs of pupils (Landlock, Linux 5.13): they could read all your files. "
             "Use another computer, or --trust if you trust all pupils");
     auto pupils = Pupils::load(options.folder);
     if (!pupils) return Unexpected(pupils.error());
@@ -90,7 +89,7 @@ Classroom::~Classroom() {
     sockets_.reset();
     for (auto& [number, seat] : seats_) {
         if (seat->page && seat->page->run) seat->page->run->end();
-        if (seat->run) seat->run->end();  // all start to end; the destructors wait
+        if (seat->run) seat->run->end();  // asks all processes to end, before the destructors wait for each
     }
     if (shared_ && shared_->run) shared_->run->end();
 }
@@ -142,7 +141,7 @@ void Classroom::read_from(ClassSystem& system) {
     while (auto frame = system.reader.next()) {
         if (frame->client == own_client) {
             system.view.take(*frame);
-            // After a text there may be more; a frame of a tick says that there is not.
+            // After a text, more texts may follow. A frame of a tick comes only when no text waits.
             if (frame->kind == RelayFrame::Kind::text)
                 system.tell({.kind = RelayFrame::Kind::ready, .client = own_client});
             else
@@ -162,7 +161,9 @@ void Classroom::read_from(ClassSystem& system) {
 }
 
 HttpReply Classroom::reply_to(const HttpRequest& request) {
-    if (!access_.is_own_host(request.host)) return {.status = 403, .body = "this page is not served under that name\n"};
+    if (!access_.is_own_host(request.host))
+        return {.status = 403,
+                .body = "this page is not served under this host name: open the address that nezumi has printed\n"};
     return files_.get(request.path == "/" ? "/join.html" : request.path);
 }
 
@@ -199,7 +200,7 @@ Admission Classroom::lets_in(const HttpRequest& request) {
     }
     if (ClassSystem* system = system_at(number_at(role, pupil))) {
         system->is_wanted = true;
-        // Messages of a browser before there is a process would be lost, so the browser tries again.
+        // Without a process, messages of the browser would be lost, so it is refused and tries again.
         if (!system->run || system->run->is_ending()) return {.refused = unavailable};
     } else if (role == Role::guest) {
         return {.refused = forbidden};
@@ -210,7 +211,7 @@ Admission Classroom::lets_in(const HttpRequest& request) {
     const std::size_t most = role == Role::visitor ? most_visitors : most_of_pupil;
     if (alike >= most || clients_.size() >= most_browsers) return {.refused = unavailable};
     if (role == Role::visitor) {
-        // A visitor's number is that of the address.
+        // The number of a visitor is the index of its address in sources_.
         next_source_ = (next_source_ + 1) % sources_.size();
         sources_[next_source_] = request.source;
         pupil = static_cast<int>(next_source_);
@@ -271,7 +272,7 @@ bool Classroom::received(ClientId id, std::string_view text) {
 void Classroom::relay(Client& client, ClientId id, std::string_view text) {
     ClassSystem* system = system_at(client.system);
     if (system == nullptr) return;
-    // Few messages need to be read here.
+    // Most messages are passed on without reading them.
     const bool at_shared = client.system == SharedSystem::number;
     const bool is_read = at_shared || (is_frozen_ && (client.role == Role::pupil || client.role == Role::reader)) ||
                          text.find(R"("save")") != std::string_view::npos ||
@@ -291,7 +292,7 @@ void Classroom::relay(Client& client, ClientId id, std::string_view text) {
                               {"text", describe(opened.error())}});
             return;
         }
-        // Everybody may stop it, also who may only look.
+        // Everybody may stop the shared system, also a viewer.
         if (at_shared && request.is_object() && request.value("do", Json()) == "stop") {
             system->tell(stop_message);
             return send(client, {{"is", "answer"}, {"id", request.value("id", Json())}, {"ok", true}, {"text", ""}});
@@ -333,7 +334,7 @@ void Classroom::closed(ClientId id) {
     if (found == clients_.end()) return;
     ClassSystem* system = system_at(found->second.system);
     if (system != nullptr) system->tell({.kind = RelayFrame::Kind::closed, .client = id});
-    // A robot does not move on without a page of the pupil who drives it.
+    // If the driving pupil has no page any more, the robots must stop.
     const bool drove = drives(found->second);
     clients_.erase(found);
     const bool still =

@@ -29,29 +29,29 @@
 namespace nezumi::web {
 
 struct ClassOptions {
-    std::filesystem::path folder{};                  ///< of the class: pupils/, exercises/, collected/
-    std::vector<std::filesystem::path> exercises{};  ///< folders of exercises beside `folder`/exercises
+    std::filesystem::path folder{};                  ///< folder of the class, with pupils/, exercises/, collected/
+    std::vector<std::filesystem::path> exercises{};  ///< folders of exercises in addition to `folder`/exercises
     std::filesystem::path page{};                    ///< folder of the page's files
-    std::string program{};                           ///< nezumi
+    std::string program{};                           ///< path of nezumi
     bool trust = false;                              ///< the kernel does not confine pupils' processes
-    Quota quota{};                                   ///< of a pupil's copy of an exercise
+    Quota quota{};                                   ///< limits for a pupil's copy of an exercise
     SharedOptions shared{};
     SocketOptions sockets{};
 };
 
-/// Those in the class's folder, and the others.
+/// The exercises in the folder of the class, and those of the other folders in the options.
 std::vector<Exercise> exercises_of(const ClassOptions& options);
 
 class Classroom final : public Site {
 public:
     static constexpr std::size_t most_pupils = 60;
-    /// The most browsers without a pupil yet, and of one pupil.
+    /// The most browsers without a pupil yet, and the most of one pupil.
     static constexpr std::size_t most_visitors = 40, most_of_pupil = 6;
-    /// Browsers at once.
+    /// The most browsers at a time.
     static constexpr std::size_t most_browsers = 3 * most_pupils + most_visitors;
-    /// New pupils in a minute.
+    /// The most new pupils in a minute.
     static constexpr std::size_t most_joins = 40;
-    /// Requests to the class of one browser: [1/s], and how many at once.
+    /// The most requests of one browser to the class: per second, and in a burst.
     static constexpr double most_requests = 5, most_at_once = 20;
 
     /// Starts to serve. An error gives the reason in one line.
@@ -60,7 +60,7 @@ public:
     Classroom(const Classroom&) = delete;
     Classroom& operator=(const Classroom&) = delete;
 
-    /// The addresses for pupils, and with its token for the teacher.
+    /// The address for pupils, and the address with the token for the teacher.
     std::string url() const;
     std::string teacher_url() const;
 
@@ -78,23 +78,23 @@ public:
 
 private:
     using Json = nlohmann::ordered_json;
-    // A user who only looks at a system, or is frozen, may still send these.
+    // Requests that a viewer, or a pupil of a frozen class, may still send.
     static constexpr std::array<std::string_view, 5> while_looking{"watch", "floor", "stop", "remembered", "systems"};
     using Clock = std::chrono::steady_clock;
-    // A guest is a pupil at the shared system, a reader one at what they have opened in a page of its own.
+    // guest: a pupil in the page of the shared system. reader: a pupil in the page of a failed or watched scenario.
     enum class Role { visitor, teacher, pupil, helper, looker, spectator, guest, reader };
 
     struct Waiting {
         Outgoing message;
-        bool relayed = false;  // from a pupil's process, which waits until it is sent
+        bool relayed = false;  // from a pupil's process, which sends the next one only after this one
     };
     struct Client {
         Role role = Role::visitor;
-        int pupil = 0;   // of a pupil, or whose system it shows; 0: none
-        int system = 0;  // whose system it shows: a pupil's, the shared one, or what a pupil has opened; 0: none
+        int pupil = 0;   // the number of the pupil who uses it, or whose system it shows; 0: none
+        int system = 0;  // number of the system that it shows, as in `system_at`; 0: none
         std::string source{};
         std::deque<Waiting> waiting{};
-        std::string shown{};  // the last state of the class that it got
+        std::string shown{};  // the last state of the class that was sent
         Clock::time_point shown_at{};
         double allowance = most_at_once;
         Clock::time_point came{};
@@ -102,7 +102,7 @@ private:
 
     explicit Classroom(ClassOptions options, Pupils pupils);
 
-    // All of these need the lock.
+    // Call all these functions with the lock held.
     Seat* seat_of(int pupil);
     ClassSystem* system_at(int number);
     static int number_at(Role role, int pupil);
@@ -123,7 +123,7 @@ private:
     Expected<Json> collect();
     void tell_all(std::string_view message);
     Seat& add_seat(Pupil& pupil);
-    /// Shows a failed scenario or one that runs in a page of its own; a page that was opened before ends.
+    /// Opens a page for a failed scenario, or for a scenario that runs now. Ends the page that was opened before.
     Expected<void> open_page(const Client& client, ClientId id, const Json& request);
     void close_page(Seat& seat);
     void serve_page(Seat& seat, Clock::time_point now);
@@ -139,9 +139,9 @@ private:
     Json tile(const Seat& seat) const;
     const Exercise* exercise_called(std::string_view name) const;
 
-    // The shared system; also with the lock.
+    // For the shared system, also with the lock held.
     bool drives(const Client& client) const;
-    /// Why a guest, who may look, may not send this to it; "" if it may.
+    /// Why a guest may not send this request to the shared system; "" if the guest may.
     std::string why_not_shared(const Client& client, const Json& request) const;
     Expected<Json> ask_shared(const Client& client, std::string_view what);
     Expected<Json> teach_shared(const Json& request);
@@ -156,7 +156,7 @@ private:
     void check_now(int pupil);
 
     const ClassOptions options_;
-    const AccessControl access_;  // its token is the teacher's, the other the spectators'
+    const AccessControl access_;  // the full token is for the teacher, the view token for spectators
     const StaticFiles files_;
     const std::vector<Exercise> exercises_;
     std::string origin_;
@@ -172,10 +172,10 @@ private:
     std::size_t next_source_ = 0;
     Tries tries_;
     std::deque<Clock::time_point> joins_;
-    std::string first_exercise_;  // that a new pupil gets
+    std::string first_exercise_;  // the exercise of a new pupil
     bool door_is_open_ = true;
     bool is_frozen_ = false;
-    int projected_ = 0;  // whose system spectators see: a pupil's, or the shared one
+    int projected_ = 0;  // number of the system that spectators see; 0: none
     std::string collected_;
     Clock::time_point looked_{};
     Clock::time_point shown_{};

@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// These numbers are equal on all processors.
+// System call numbers, the same on all processors.
 constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
 constexpr unsigned get_version = 1;
 constexpr int rule_of_path = 1;
@@ -45,26 +45,26 @@ struct [[gnu::packed]] PathRule {
     std::int32_t parent = -1;
 };
 
-// Rights on files, by their bits.
+// Rights on files, as the bits of Landlock.
 constexpr std::uint64_t execute = 1U << 0U, write_file = 1U << 1U, read_file = 1U << 2U, read_folder = 1U << 3U,
                         remove_folder = 1U << 4U, remove_file = 1U << 5U, make_folder = 1U << 7U, make_file = 1U << 8U,
                         move = 1U << 13U, truncate_file = 1U << 14U, control_device = 1U << 15U;
 constexpr std::uint64_t for_reading = execute | read_file | read_folder;
 constexpr std::uint64_t for_work =
     read_file | read_folder | write_file | remove_folder | remove_file | make_folder | make_file | move | truncate_file;
-// A rule on a file may have only these.
+// The rights that a rule for a file may have; the others are for folders only.
 constexpr std::uint64_t of_files = execute | write_file | read_file | truncate_file | control_device;
 constexpr std::uint64_t for_devices = read_file | read_folder | write_file | truncate_file | control_device;
 
 int version() {
 #if defined(NEZUMI_ADDRESS_SANITIZER)
-    return 0;  // it looks for leaks in /proc, which would be out of reach
+    return 0;  // the sanitizer looks for leaks in /proc, which Landlock would forbid
 #else
     return static_cast<int>(syscall(create_ruleset, nullptr, 0, get_version));
 #endif
 }
 
-// All that this version of Landlock knows is forbidden unless a rule allows it.
+// All rights that this version of Landlock can control. They are forbidden unless a rule allows them.
 std::uint64_t known_rights(int version) {
     if (version >= 5) return (std::uint64_t{1} << 16U) - 1;
     if (version >= 3) return (std::uint64_t{1} << 15U) - 1;
@@ -88,7 +88,7 @@ Expected<void> confine_files(const Confinement& confinement) {
     if (known < 1)
         return failure("this kernel can't confine programs: it has no Landlock (Linux 5.13 or later has it)");
     const std::uint64_t rights = known_rights(known);
-    // Signals and abstract sockets of other programs, TCP ports.
+    // Also forbids TCP ports, and signals and abstract sockets of other programs, if this version can.
     const Ruleset all{.files = rights, .net = known >= 4 ? 3U : 0U, .scoped = known >= 6 ? 3U : 0U};
     const std::size_t size = known >= 6   ? sizeof(Ruleset)
                              : known >= 4 ? offsetof(Ruleset, scoped)
@@ -121,7 +121,8 @@ constexpr std::uint32_t processor = AUDIT_ARCH_RISCV64;
 constexpr std::uint32_t processor = 0;  // every call is refused
 #endif
 
-// Refuses new sockets, and the calls that could make one in another way. Local ones are needed to reserve a robot.
+// Refuses new sockets, and calls that could make one in another way. `but_local` allows local sockets, which reserve a
+// robot.
 Expected<void> refuse_sockets(bool but_local) {
     constexpr std::uint32_t refused = SECCOMP_RET_ERRNO | EACCES;
     constexpr std::uint32_t x32_bit = 0x40000000;

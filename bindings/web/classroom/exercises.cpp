@@ -1,4 +1,4 @@
-// The name of an exercise is that of its folder, and part of paths: only identifiers are names.
+// The name of an exercise is the name of its folder, and becomes part of paths. So only identifiers are allowed.
 #include "bindings/web/classroom/exercises.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// A thread waits for the end of the process. The process ends itself when our end of the socket closes, so that none is
-// left behind.
+// A thread waits for the end of the process. The process ends itself when our end of the socket closes, so no process
+// is left behind.
 #include "bindings/web/classroom/pupil_run.hpp"
 
 #include <fcntl.h>
@@ -48,7 +48,7 @@ PupilRun::PupilRun(std::vector<std::string> words) {
 
 PupilRun::~PupilRun() {
     end();
-    const auto until = asked_.value_or(begin_) + longest_end;  // many that were asked together take no longer than one
+    const auto until = asked_.value_or(begin_) + longest_end;  // counted from `end`: many end in parallel
     while (!has_ended_ && Clock::now() < until) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     give_up_ = true;
     if (thread_.joinable()) thread_.join();

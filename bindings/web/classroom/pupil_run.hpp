@@ -17,27 +17,27 @@ class PupilRun {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Starts `words`, a command line with standard input as the socket of `open_relay`.
+    /// Starts the command line `words`. Its standard input is the other end of the socket, for `open_relay`.
     explicit PupilRun(std::vector<std::string> words);
-    /// Ends it; waits at most `longest_end`.
+    /// Ends the process; waits at most `longest_end`.
     ~PupilRun();
     PupilRun(const PupilRun&) = delete;
     PupilRun& operator=(const PupilRun&) = delete;
 
-    /// Our end of the socket, without waiting; -1 if there is none.
+    /// Our end of the socket, non-blocking; -1 if there is none.
     int socket() const { return socket_.get(); }
-    /// Asks it to end, without waiting. `socket` has nothing more then.
+    /// Asks the process to end, by shutting down the socket. Does not wait. `socket` has nothing more to read then.
     void end();
     bool is_ending() const { return asked_.has_value(); }
-    /// Kills it if it was asked `longest_end` ago.
+    /// Kills the process if `end` was called `longest_end` ago or earlier.
     void hurry(Clock::time_point now);
     bool has_ended() const { return has_ended_; }
-    /// Its exit status after the end, 128 and more after a signal; -1 if it could not be started.
+    /// The exit status after the end, 128 or more after a signal; -1 if the process could not be started.
     int status() const { return status_; }
     Clock::time_point begin() const { return begin_; }
-    /// What it has written to standard error; the first part is dropped if it is long.
+    /// The text that the process has written to standard error; only the last part if the text is long.
     std::string said() const;
-    /// [bytes] of memory that it uses now; 0 if unknown.
+    /// [bytes] of memory that the process uses now; 0 if unknown.
     std::size_t memory() const;
 
     static constexpr std::chrono::seconds longest_end{3};

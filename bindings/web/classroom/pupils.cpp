@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// Without those that look alike.
+// The letters of codes. Letters that look alike are left out.
 constexpr std::string_view code_letters = "23456789abcdefghjkmnpqrstuvwxyz";
 
 std::string random_code() {
@@ -31,7 +31,7 @@ std::string random_code() {
     while (code.size() < Pupils::code_length) {
         unsigned char byte = 0;
         if (getrandom(&byte, 1, 0) != 1) return "";
-        // Each letter is as likely as the others.
+        // Larger bytes are skipped, so that all letters are equally likely.
         if (byte < 256 / code_letters.size() * code_letters.size()) code += code_letters[byte % code_letters.size()];
     }
     return code;

@@ -18,9 +18,9 @@ namespace nezumi::web {
 inline constexpr int most_number = 999'999;
 
 struct Pupil {
-    int number = 0;      ///< 1 ... `most_number`; names their folder
-    std::string name{};  ///< in any script; never part of a path
-    std::string code{};  ///< to come back with
+    int number = 0;      ///< 1 ... `most_number`; also the name of the pupil's folder
+    std::string name{};  ///< in any writing system; never part of a path
+    std::string code{};  ///< code with which the pupil comes back
     std::string token{};
     std::string exercise{};
     std::vector<std::string> hints{};  ///< the latest is the last
@@ -34,20 +34,20 @@ public:
     static constexpr std::size_t most_hints = 20;
     static constexpr std::size_t code_length = 6;
 
-    /// Those in `folder`/pupils, which is made if missing. The error names the file that can't be read.
+    /// Reads the pupils in `folder`/pupils, which is made if missing. An error names the file that can't be read.
     static Expected<Pupils> load(std::filesystem::path folder);
 
     const std::vector<std::unique_ptr<Pupil>>& all() const { return all_; }
     /// The pupil with this code; blanks, dashes and capitals do not matter. Null if there is none.
     Pupil* find_code(std::string_view code) const;
 
-    /// A new pupil. Refused: a name that is empty, too long, not visible, or there already.
+    /// Adds a new pupil. Refuses a name that is empty, too long, not printable, or already used.
     Expected<Pupil*> join(std::string_view name);
     /// Forgets a pupil who has just joined, and removes the folder.
     void remove(const Pupil& pupil);
-    /// Gives a new code. The old one and open pages of the pupil are refused from then on.
+    /// Gives the pupil a new code. From then on the old code and the pupil's open pages are refused.
     Expected<void> renew(Pupil& pupil);
-    /// Writes what has changed.
+    /// Writes the pupil's data to the disk.
     Expected<void> save(const Pupil& pupil) const;
 
     std::filesystem::path folder_of(const Pupil& pupil) const;
@@ -62,7 +62,7 @@ private:
     std::vector<std::unique_ptr<Pupil>> all_;
 };
 
-/// Limits wrong codes, from one address and from all.
+/// Limits the number of wrong codes, from one address and from all addresses.
 class Tries {
 public:
     using Clock = std::chrono::steady_clock;

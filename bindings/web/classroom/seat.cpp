@@ -1,4 +1,4 @@
-// Only what tiles show is read; a pupil's process is not trusted.
+// Reads only what the teacher's tiles show from a pupil's process. The process is not trusted.
 #include "bindings/web/classroom/seat.hpp"
 
 #include <sys/socket.h>
@@ -13,17 +13,17 @@ namespace nezumi::web {
 namespace {
 
 constexpr std::size_t longest_error = 500;  // [bytes] shown
-// [bytes] that may wait for a process which does not read, as one that the kernel has stopped.
+// [bytes] that may wait for a process that does not read, for example because it is stopped. Above this, it is ended.
 constexpr std::size_t most_waiting = std::size_t{8} << 20;
 
-// A process that ends sooner than this after its start has failed; after `most_failures` of them the system file is
-// taken for the reason.
+// A process that ends sooner than this after its start has failed. After `most_failures` failures in a row, the system
+// file counts as broken.
 constexpr std::chrono::seconds short_run{5};
 constexpr int most_failures = 3;
-constexpr int could_not_run = 2;  // as exit status of `nezumi run`
+constexpr int could_not_run = 2;  // exit status of `nezumi run` if the system can't run
 constexpr std::chrono::seconds longest_wait{30};
 
-// WebFrame begins with the time, the tick and whether it runs; before it are 4 bytes for the kind of frame.
+// The position of WebFrame::running in a message: after 4 bytes for the kind, the time and the tick.
 constexpr std::size_t place_of_running = 4 + 8 + 8;
 
 }  // namespace

@@ -16,7 +16,7 @@
 
 namespace nezumi::web {
 
-/// What a check of a pupil's work found.
+/// The result of one scenario in a check of a pupil's work.
 struct CheckedScenario {
     std::string name;
     bool passed = false;
@@ -26,7 +26,7 @@ struct CheckedScenario {
 /// The state of a pupil's system, from the messages of its page.
 class SeatView {
 public:
-    using Clock = std::chrono::system_clock;  // the wall clock: the teacher reads since when an error lasts
+    using Clock = std::chrono::system_clock;  // the wall clock: the teacher sees when an error began
 
     /// Takes a text or a frame of a tick.
     void take(const RelayFrame& frame);
@@ -56,36 +56,36 @@ inline constexpr std::string_view stop_message = R"({"do":"stop"})";
 
 /// A system in a process of its own.
 struct ClassSystem {
-    std::string help_token{}, look_token{};  ///< of the teacher, and of viewers
+    std::string help_token{}, look_token{};  ///< the tokens of the teacher and of viewers
     std::unique_ptr<PupilRun> run{};
     RelayReader reader{};
     std::string out{};  ///< frames that are not sent yet
     SeatView view{};
-    bool is_wanted = false;      ///< a pupil has come for it since the class was opened
+    bool is_wanted = false;      ///< the pupil has come since the class was opened
     bool view_is_ready = false;  ///< the class's own connection waits for a message
     bool is_repairing = false;   ///< the system file can't run: an empty system is shown instead
-    std::string problem{};       ///< why
-    int failures = 0;            ///< short runs, one after the other
+    std::string problem{};       ///< why the system can't run or has ended
+    int failures = 0;            ///< number of short runs in a row
     PupilRun::Clock::time_point next_start{};
 
     ClassSystem();
-    /// Queues a frame for the process, and sends what it takes now.
+    /// Queues a frame for the process, and sends as much as the process takes now.
     void tell(const RelayFrame& frame);
     /// Queues a message of the class itself for the process.
     void tell(std::string_view message);
     void flush();
-    /// Notes why the process has ended, and when it may start again. Returns true if its system file can't run.
+    /// Notes why the process has ended, and when the next may start. Returns true if the system file can't run.
     bool note_end(PupilRun::Clock::time_point now);
 };
 
-/// What a pupil has opened in a page of its own: a failed scenario, or one that runs.
+/// A run that a pupil has opened in a page of its own: a failed scenario, or a scenario that runs now.
 struct OpenedPage : ClassSystem {
     OpenedPage(ClientId client, std::int64_t id) : asker(client), question(id) {}
 
-    const ClientId asker;  ///< gets the address
+    const ClientId asker;  ///< the browser that gets the address of the page
     const std::int64_t question;
     bool is_answered = false;
-    PupilRun::Clock::time_point seen = PupilRun::Clock::now();  ///< a browser showed it then
+    PupilRun::Clock::time_point seen = PupilRun::Clock::now();  ///< when a browser last showed the page
 };
 
 /// A pupil's place in a class.
@@ -94,7 +94,7 @@ struct Seat : ClassSystem {
 
     Pupil& pupil;
     std::unique_ptr<OpenedPage> page{};       ///< null if there is none
-    std::string shared_token = make_token();  ///< of the pupil, for the shared system
+    std::string shared_token = make_token();  ///< the pupil's token for the shared system
     std::int64_t last_save = 0;               ///< [s] since 1970
     std::vector<CheckedScenario> checked{};
     std::string check{};  ///< "waits", "runs", "" or why it could not be done

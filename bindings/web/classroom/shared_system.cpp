@@ -41,7 +41,8 @@ Expected<void> SharedSystem::renew() const {
     std::error_code problem;
     fs::remove_all(folder, problem);
     if (auto ok = copy_files(root() / "behaviors", folder / "behaviors", true); !ok) return ok;
-    fs::remove_all(folder / "behaviors/exercises", problem);  // they have hidden scenarios
+    fs::remove_all(folder / "behaviors/exercises",
+                   problem);  // pupils must not see hidden scenarios
     fs::create_directories(folder / ".nezumi", problem);
     if (problem) return failure("can't be made: " + problem.message(), {folder.string()});
     return {};
@@ -68,7 +69,8 @@ Expected<std::size_t> SharedSystem::take_behaviors(const fs::path& work) const {
     if (!is_one_running) {
         std::set<std::string> names;
         for (const std::string& script : view.scripts()) names.insert(fs::path(script).filename().string());
-        return failure(fmt::format("you have none of the behaviours that run here: {}", fmt::join(names, ", ")));
+        return failure(
+            fmt::format("no file of yours is a behaviour of this system, which runs {}", fmt::join(names, ", ")));
     }
     // New modules come first, because a behaviour that is reloaded may need them.
     std::size_t changed = 0;

@@ -15,17 +15,18 @@ namespace nezumi::web {
 
 struct SharedOptions {
     std::filesystem::path file{};                  ///< the teacher's system file; empty: the class shares none
-    std::vector<std::string> hardware{};           ///< options of its run; empty: it is simulated
-    std::vector<std::filesystem::path> devices{};  ///< folders of devices that it may use
+    std::vector<std::string> hardware{};           ///< options of the run for a real robot; empty: a simulation
+    std::vector<std::filesystem::path> devices{};  ///< folders of devices that the system may use
 };
 
 struct SharedSystem : ClassSystem {
-    /// Takes the place of a pupil's number.
+    /// The number of the shared system; it is larger than all numbers of pupils.
     static constexpr int number = most_number + 1;
-    /// Likewise for what a pupil has opened.
+    /// The number of the page that a pupil has opened; different from the number above, if `pupil` is at least 1.
     static constexpr int page_of(int pupil) { return number + pupil; }
 
-    /// `folder` is that of the copy. An error: the file is not within `behaviors/` of a project, or can't be copied.
+    /// `folder` is for the copy. Returns an error if the file is not within `behaviors/` of a project, or can't be
+    /// copied.
     static Expected<std::unique_ptr<SharedSystem>> open(SharedOptions options, std::filesystem::path folder);
 
     std::string name() const { return options.file.stem().string(); }
@@ -34,15 +35,15 @@ struct SharedSystem : ClassSystem {
     std::filesystem::path file() const;
     /// Makes the copy again, without exercises and scenarios.
     Expected<void> renew() const;
-    /// Puts the behaviours and modules of a pupil's project in the place of those of the copy; the running system
-    /// reloads them as any saved file. Returns how many have changed. An error: none has the name of one that runs.
+    /// Replaces the behaviours and modules of the copy by those of a pupil's project. The running system reloads them
+    /// like any saved file. Returns how many have changed. An error if no file has the name of a running behaviour.
     Expected<std::size_t> take_behaviors(const std::filesystem::path& work) const;
 
     const SharedOptions options;
     const std::filesystem::path folder;
     Turns turns{};
     std::string problem_of_driver{};       ///< why the driver's behaviours were not taken; "" if they were
-    const PupilRun* run_before = nullptr;  ///< that is ending: devices are free when it has ended
+    const PupilRun* run_before = nullptr;  ///< the run before, while it ends: its devices are not free yet
 
 private:
     SharedSystem(SharedOptions its, std::filesystem::path copy) : options(std::move(its)), folder(std::move(copy)) {}

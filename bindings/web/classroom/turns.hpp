@@ -1,4 +1,4 @@
-// Who drives the shared system of a class, and who waits for it.
+// The turns at the shared system of a class: the pupil who drives, and the pupils who wait.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace nezumi::web {
 
-/// Pupils are named by their numbers.
+/// Pupils are given as their numbers.
 class Turns {
 public:
     using Clock = std::chrono::steady_clock;
@@ -19,29 +19,29 @@ public:
 
     /// The pupil whose turn it is; 0: none.
     int driver() const { return driver_; }
-    /// Who waits, the next one first.
+    /// The waiting pupils, the next one first.
     const std::deque<int>& waiting() const { return waiting_; }
-    /// From 1; 0: the pupil does not wait.
+    /// The pupil's place in the queue, from 1; 0: the pupil does not wait.
     std::size_t place_of(int pupil) const;
     std::chrono::minutes limit() const { return limit_; }
-    /// Holds for the present turn, too. Does nothing outside 1 minute ... `longest_limit`.
+    /// Sets the length of a turn, also of the present one. Ignores values outside 1 minute ... `longest_limit`.
     void set_limit(std::chrono::minutes limit);
-    /// What is left of the turn; zero without a driver.
+    /// The time left of the present turn; zero without a driver.
     Clock::duration left(Clock::time_point now) const;
 
     /// Adds a pupil at the end of the queue. Does nothing for the driver and for a pupil who already waits.
     void enter(int pupil);
-    /// Waits no longer; does not end a turn.
+    /// Removes a pupil from the queue; does not end a turn.
     void remove(int pupil);
-    /// Changes places with the one before.
+    /// Swaps a pupil with the one before in the queue.
     void move_up(int pupil);
 
-    /// Begins the turn of the next one. Returns false if a pupil has a turn, or no pupil waits.
+    /// Begins the turn of the first pupil in the queue. Returns false if a turn goes on, or no pupil waits.
     bool begin(Clock::time_point now);
     void end() { driver_ = 0; }
 
-    /// Removes those who have been away too long. Returns true if the turn is over: its time is up, or its driver has
-    /// been away too long.
+    /// Removes waiting pupils who have been away too long. Returns true if the turn is over: its time is up, or the
+    /// driver has been away too long.
     bool look(Clock::time_point now, const std::function<bool(int pupil)>& is_there);
 
 private:

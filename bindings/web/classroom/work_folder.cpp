@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder with more entries is not looked at further.
+// At most this many entries of a folder are examined.
 constexpr int most_entries = 20000;
 
 double megabytes(std::uintmax_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
@@ -25,7 +25,7 @@ bool is_file(const fs::path& path, struct stat& status) {
     return lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
-// Calls `action` with each file below, by its path from there, but not with the editor's kept versions.
+// Calls `action` with each file below `project` and its relative path. Leaves out the editor's kept versions.
 template <class Action>
 void for_each_file(const fs::path& project, const Action& action) {
     std::error_code problem;
@@ -66,7 +66,7 @@ WorkFolder look_at_work(const fs::path& project, const fs::path& start) {
 std::optional<OverQuota> enforce_quota(const fs::path& project, const fs::path& start, const Quota& quota) {
     std::uintmax_t bytes = 0;
     std::size_t files = 0;
-    std::vector<fs::path> others;  // no texts
+    std::vector<fs::path> others;  // files that the editor can't edit
     for_each_file(project, [&](const fs::path& file, const struct stat& status) {
         if (is_as_given(status, start / file)) return;
         bytes += static_cast<std::uintmax_t>(status.st_size);
@@ -80,25 +80,26 @@ std::optional<OverQuota> enforce_quota(const fs::path& project, const fs::path& 
         if (fs::remove(project / file, problem)) ++over.removed;
     }
     over.why =
-        fmt::format("it had written {:.1f} MB in {} files, and {:.1f} MB in {} files are allowed; {}", megabytes(bytes),
-                    files, megabytes(quota.bytes), quota.files,
+        fmt::format("the system had written {:.1f} MB in {} files, and at most {:.1f} MB in {} files are allowed; {}",
+                    megabytes(bytes), files, megabytes(quota.bytes), quota.files,
                     over.removed == 0 ? "make the texts shorter"
                                       : fmt::format("files removed because they are not text: {}", over.removed));
     return over;
 }
 
 Expected<void> check_quota(const fs::path& project, std::string_view name, std::string_view text, const Quota& quota) {
-    if (!EditedFiles::check_name(name)) return {};  // the editor refuses it
+    if (!EditedFiles::check_name(name)) return {};  // the editor refuses such a name anyway
     const WorkFolder work = look_at_work(project, {});
     struct stat status {};
     const bool is_there = is_file(project / fs::path(name), status);
     const auto before = is_there ? static_cast<std::uintmax_t>(status.st_size) : 0;
     if (!is_there && work.files >= quota.files)
-        return failure(fmt::format("nothing was saved: you have {} files, the most that are allowed", work.files));
+        return failure(fmt::format("nothing was saved: you have {} files, and no more are allowed", work.files));
     const std::uintmax_t after = work.bytes - std::min(before, work.bytes) + text.size();
     if (text.size() > before && after > quota.bytes)
-        return failure(fmt::format("nothing was saved: your files would have {:.1f} MB, and {:.1f} MB are allowed",
-                                   megabytes(after), megabytes(quota.bytes)));
+        return failure(
+            fmt::format("nothing was saved: your files would have {:.1f} MB, and at most {:.1f} MB are allowed",
+                        megabytes(after), megabytes(quota.bytes)));
     return {};
 }
 

@@ -1,7 +1,7 @@
 // Actions of a person on the system: each is an act of the engine, and a refusal is shown.
 import { T } from "./texts.js";
 
-/// A parameter's value in the form of an act: an array is named by the kind of its elements.
+/// A parameter's value as an act needs it: an array becomes an object that names the type of its elements.
 const as_parameter = (type, value) => (Array.isArray(value) ? { [type === "strings" ? "texts" : type]: value } : value);
 
 /// A resolution of 1 um and 1 urad is enough.
@@ -28,7 +28,7 @@ export class Acts {
   act = (name, fields = {}) => this.#ask({ do: "act", act: name, fields });
   time = (what, value) => this.#ask({ do: "time", what, ...(value === undefined ? {} : { value }) }, this.#model.may_act || this.#model.hello?.paces);
 
-  /// Does not wait, and is sent even before the page knows its permissions.
+  /// Stops all robots. Does not wait for an answer, and is sent even before the page knows its permissions.
   stop = () => this.#link.send({ do: "stop" }) || this.#notices.say(T.stop.not_sent, "error");
   rearm = () => this.#ask({ do: "rearm" });
 
@@ -38,9 +38,9 @@ export class Acts {
   activate = (component) => this.act("Activate", { component });
   deactivate = (component) => this.act("Deactivate", { component });
   reset = (component) => this.act("Reset", { component });
-  /// Without a time, to the end of the branch.
+  /// Goes to a tick of the branch; without `tick`, to the end of the branch.
   seek = (branch, tick = -1) => this.act("Seek", { branch, tick, start: 0 });
-  /// What a plot no longer has of a port comes in a message of its own.
+  /// Requests the earlier numbers of a port for a plot. They come in a separate message.
   earlier = (port) => this.#ask({ do: "earlier", port }, true, 600_000);
   remove = (component) => this.act("Remove", { component });
   connect = (from, to) => this.act("Connect", { from, to });

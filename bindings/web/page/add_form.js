@@ -1,15 +1,14 @@
 // The form that adds a behaviour to the running system: an existing one of the project, or a new one, whose file is
-// written as by `nezumi new behavior`. It uses console commands, so that the console shows what was done.
+// written as by `nezumi new behavior`. The form uses console commands, so that the console shows what was done.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
-/// A text as a Lua literal.
+/// A text as a Lua string literal.
 export const lua_text = (text) =>
   `"${text.replace(/[\\"\x00-\x1f\x7f]/g, (each) => `\\${String(each.charCodeAt(0)).padStart(3, "0")}`)}"`;
 const lua_list = (texts) => `{ ${texts.map(lua_text).join(", ")} }`;
 
-/// The console lines that make and add it. `wish`: { name, script, is_new, doc, inputs, outputs, params, callbacks } as
-/// texts.
+/// The console lines that make the behaviour's file, if it is new, and add the behaviour. All texts are as typed in the form.
 export function lines_of({ name, script, is_new, doc, inputs, outputs, params, callbacks }) {
   const add = `behavior ${lua_text(name)} { script = ${lua_text(is_new ? name : script)} }`;
   if (!is_new) return [add];

@@ -7,7 +7,7 @@ import { T } from "./texts.js";
 
 const WORDS = ["box", "wall", "cylinder", "marker", "robot"];
 const TRIES = 24;  // free places that are tried for a new thing
-const PLACES = 400;  // places that are looked at
+const PLACES = 400;  // places that are examined to find free ones
 const GAP = 0.02;  // m between a new thing and others
 const ANSWER_WITHIN = 2000;  // ms
 
@@ -58,7 +58,7 @@ export class ArenaEdit {
     this.say(T.arena.hint(this.#file));
   }
 
-  /// One change after the other. `change` gives the next text; an error says why there is none.
+  /// Makes changes one after the other. `change` makes one change; the message of its error is shown.
   #next(change) {
     this.#work = this.#work.then(async () => {
       if (!this.#file) return;
@@ -76,7 +76,7 @@ export class ArenaEdit {
     return ok ? findings[0]?.message ?? "" : why || T.link.no_answer;
   }
 
-  /// Writes a text that was found to be good, and starts with it.
+  /// Writes a text that has been checked, and starts the system with it.
   async #take(text, keeps = true) {
     const answer = await this.#files.ask("save", { file: this.#file, text, mark: this.#mark });
     if (answer.changed) {
@@ -94,7 +94,7 @@ export class ArenaEdit {
     this.say(answer.text || T.arena.written(this.#file));
   }
 
-  /// Resolves when the page knows where things are after the next start.
+  /// Resolves when the page has the poses of things after the next start.
   #shown_anew() {
     const { model } = this.#parts;
     const { start } = model.system;
@@ -115,7 +115,7 @@ export class ArenaEdit {
     await this.#take(text);
   }
 
-  /// The call in the file that makes what was chosen.
+  /// The call in the file that makes the chosen object.
   #call({ kind, index }) {
     const { system } = this.#parts.model;
     if (kind === "robot") {
@@ -158,7 +158,7 @@ export class ArenaEdit {
     });
   }
 
-  /// Near the middle of the view, at the first place that is free.
+  /// Adds a thing near the middle of the view, at the first free place.
   add(word) {
     return this.#next(async () => {
       const { system } = this.#parts.model;

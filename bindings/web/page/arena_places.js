@@ -1,6 +1,7 @@
-// Where a new thing has room in the arena, seen from above.
+// Finds free places for a new thing in the arena, seen from above.
 
-/// The distances [m] from a point to what stands there: a list of functions of x and y; below 0 or 0 within it.
+/// The objects in the arena as functions (x, y), which return the distance [m] from a point to the object; 0 or less
+/// inside it.
 export function standing({ robots, things, markers }, scene) {
   const round = (pose, radius) => pose && ((x, y) => Math.hypot(x - pose.x, y - pose.y) - radius);
   const box = (pose, [l, w]) => pose && ((x, y) => {
@@ -15,7 +16,7 @@ export function standing({ robots, things, markers }, scene) {
   ].filter(Boolean);
 }
 
-/// What a new thing covers, as circles [x, y, radius] about its place. `robot`: the radius of a robot.
+/// The area that a new thing covers, as circles [x, y, radius] relative to its place. `robot`: the radius of a robot.
 export function outline_of(word, robot) {
   if (word === "wall") return [-0.2, -0.15, -0.1, -0.05, 0, 0.05, 0.1, 0.15, 0.2].map((y) => [0, y, 0.03]);
   return [[0, 0, { box: 0.071, cylinder: 0.05, marker: 0.05, robot }[word]]];

@@ -1,4 +1,4 @@
-// Changes what stands in the arena in the text of a system file. Comments and all other text stay as they are.
+// Changes the objects of the arena in the text of a system file. Comments and all other text stay as they are.
 import { T } from "./texts.js";
 
 const CALLS = /\b(box|wall|cylinder|marker|robot|arena)\b/g;
@@ -6,7 +6,7 @@ const NUMBER = String.raw`-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?`;
 
 const written = (value) => String(Number(value.toFixed(4)));
 
-/// The text with blanks in place of comments and the insides of strings.
+/// The text with blanks instead of comments and the contents of strings.
 function code_of(text) {
   return text.replace(/--\[(=*)\[[\s\S]*?\]\1\]|--[^\n]*|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'/g,
     (each) => (each.startsWith("--") ? each.replace(/[^\n]/g, " ") : each[0] + " ".repeat(each.length - 2) + each[0]));
@@ -21,7 +21,7 @@ function close_of(code, open) {
   return -1;
 }
 
-/// The calls of these words that have a table: { word, name, line, from, to, open, close }.
+/// The calls in CALLS that have a table: { word, name, line, from, to, open, close }.
 export function calls_in(text) {
   const code = code_of(text);
   const calls = [];
@@ -53,7 +53,7 @@ function fields_of(text, { open, close }) {
   return fields;
 }
 
-/// The numbers of a value: { 1, 2 }, { x = 1, y = 2 } or 1, with where they stand.
+/// The numbers of a value ({ 1, 2 }, { x = 1, y = 2 } or 1), with their places in the text.
 function numbers_of(text, [begin, end], name) {
   const value = text.slice(begin, end);
   const part = String.raw`(?:[A-Za-z_]\w*\s*=\s*)?${NUMBER}`;
@@ -64,7 +64,7 @@ function numbers_of(text, [begin, end], name) {
   });
 }
 
-/// Replaces [from, to, text] pieces, which may not overlap.
+/// Replaces the pieces [from, to, text]. They must not overlap.
 function replaced(text, pieces) {
   return [...pieces].sort((a, b) => b[0] - a[0]).reduce((all, [from, to, put]) => all.slice(0, from) + put + all.slice(to), text);
 }
@@ -155,7 +155,7 @@ export function added(text, word, call) {
   return `${with_comma}${is_alone ? "" : "\n"}  ${call},\n${text.slice(is_alone ? line_begin : arena.close)}`;
 }
 
-/// The call that makes a thing. `things`: all that are made at the same place, in order; `index`: which of them it is.
+/// The call that makes a thing. `things`: the number of things that this line makes; `index`: the thing's number among them.
 export function call_of(text, words, line, index, things) {
   const calls = calls_in(text).filter((each) => words.includes(each.word) && each.line === line);
   if (calls.length === 0) throw new Error(T.arena.no_call(line));

@@ -17,7 +17,7 @@ class Stream {
     this.at = 0;
   }
 
-  /// Returns the start of `size` bytes with this alignment, and moves behind them.
+  /// Returns the position of the next `size` bytes with this alignment, and moves behind them.
   take(size, alignment) {
     const begin = Math.ceil(this.at / alignment) * alignment;
     if (begin + size > this.bytes.length) throw new Error(`the message ends at byte ${this.bytes.length}`);

@@ -24,7 +24,8 @@ async function request(what, more = {}) {
   return answer;
 }
 
-/// Asks for texts, { name: label }; the last one may be long. Resolves to an object, or null.
+/// Shows a dialog that asks for texts. `fields`: { name: label }; the last text may be long. Resolves to an object with
+/// the texts, or null.
 function ask_for(title, fields, values = {}) {
   return new Promise((resolve) => {
     const names = Object.keys(fields);
@@ -51,7 +52,7 @@ async function give_hint(pupil, name) {
 
 const time_text = (seconds) => new Date(seconds * 1000).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
 
-/// A tile is made once and filled again, so that a button keeps the focus.
+/// A tile of a pupil. It is made once and then only updated, so that a button keeps the focus.
 class Tile {
   #name = el("span", {});
   #here = el("small", {});

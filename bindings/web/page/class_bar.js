@@ -3,7 +3,7 @@ import { el } from "./dom.js";
 import { make_shared } from "./class_shared.js";
 import { language, T } from "./texts.js";
 
-/// "abcdef" as people read it.
+/// The code "abcdef" in the form that people read: "abc-def".
 export const shown_code = (code) => `${code.slice(0, 3)}-${code.slice(3)}`;
 
 /// The text of an exercise in the page's language.
@@ -59,7 +59,7 @@ function make_bar({ link, notices }) {
   const node = el("section", { class: "class-bar" }, title, open, check, code, who, told, mark, frozen, shared.node, leave, broken);
   document.body.querySelector("header").after(node);
   document.body.classList.add("in-class");
-  // Notices do not hide its buttons.
+  // Notices are shown below the bar, so that they don't hide the buttons of the bar.
   new ResizeObserver(() => (notices.node.style.top = `${node.getBoundingClientRect().bottom + 8}px`)).observe(node);
   let hints_before = -1;
   let text_before = null;
@@ -108,7 +108,7 @@ function make_bar({ link, notices }) {
     show_results(state);
     if (written !== text_before) {
       text.replaceChildren(...markdown(rest.join("\n")));
-      open.open = own && text_before !== null && text_before !== written;  // a new exercise
+      open.open = own && text_before !== null && text_before !== written;  // opens the text of a new exercise
       text_before = written;
     }
     hints.replaceChildren(...(state.hints.length ? [el("h3", { text: T.class.bar.hints }), ...state.hints.map((hint) => el("p", { text: hint }))] : []),
@@ -120,7 +120,7 @@ function make_bar({ link, notices }) {
 
 let show = null;
 
-/// Shows the state of the class; the first one makes the bar.
+/// Shows the state of the class; the first call makes the bar.
 export function show_class(parts, state) {
   show ??= make_bar(parts);
   show(state);

@@ -2,13 +2,13 @@
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
-/// Seconds as 4:05.
+/// Formats seconds as 4:05.
 export const clock = (seconds) => `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")}`;
 
-/// Who drives, as everybody may read it.
+/// The text about who drives, for all pupils.
 export const who_drives = ({ driver, left }) => (driver ? T.class.shared.drives(driver, clock(left)) : T.class.shared.free);
 
-/// `request` asks the class over `link`. The result shows the state of the shared system; `here`: the page is that of this system.
+/// `request` sends a request to the class over `link`. The result shows the state of the shared system.
 export function make_shared({ request, link, notices }) {
   const { shared: words } = T.class;
   const way = el("a", { class: "button" });
@@ -35,7 +35,7 @@ export function make_shared({ request, link, notices }) {
     queue.textContent = driving ? words.give_back : place ? words.leave_queue : words.queue;
     load.hidden = !driving;
     at_shared = here;
-    stop.hidden = here && !document.body.classList.contains("view-only");  // there the page's own button stops
+    stop.hidden = here && !document.body.classList.contains("view-only");  // the header has a stop button already
     way.hidden = own === undefined;
     way.textContent = here ? words.back : words.open(shared.name);
     way.href = `/index.html#${here ? own : shared.link}`;

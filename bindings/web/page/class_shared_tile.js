@@ -3,7 +3,7 @@ import { el } from "./dom.js";
 import { who_drives } from "./class_shared.js";
 import { T } from "./texts.js";
 
-/// `request` asks the class. Hidden while the class has no shared system.
+/// `request` sends a request to the class. The tile is hidden while the class has no shared system.
 export function make_shared_tile(request) {
   const { shared: words } = T.class;
   const order = (go, more = {}) => request("shared", { go, ...more });
@@ -37,7 +37,7 @@ export function make_shared_tile(request) {
     open.href = `/index.html#${shared.help}`;
     nobody.hidden = shared.waiting.length > 0;
     const now = JSON.stringify(shared.waiting);
-    if (now === listed) return;  // so that a button keeps the focus
+    if (now === listed) return;  // unchanged rows are not made again, so that a button keeps the focus
     listed = now;
     queue.replaceChildren(...shared.waiting.map(({ number: pupil, name: text }, i) => el("li", {}, el("span", { text }), " ",
       i ? el("button", { text: words.up, onclick: () => order("up", { pupil }) }) : null, el("button", { text: words.remove, onclick: () => order("remove", { pupil }) }))));

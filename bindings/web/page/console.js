@@ -5,7 +5,7 @@ import { T } from "./texts.js";
 const MOST_LINES = 2000;
 const MOST_KEPT = 200;
 
-/// UTF-8 bytes: the protocol counts positions in bytes.
+/// The number of UTF-8 bytes of a text; the protocol counts positions in bytes.
 const bytes_of = (text) => new TextEncoder().encode(text).length;
 /// The index of the text after the first `count` bytes.
 function index_at(text, count) {
@@ -40,7 +40,7 @@ export function make_console(parts) {
   const waiting = new Map();  // id: function for the answer
   let next = 1;
   let running = 0;
-  let drawing = null;  // an output that is redrawn in its place
+  let drawing = null;  // the output that the next drawing replaces
 
   const output = el("div", { class: "output", role: "log", "aria-label": T.console.label, tabindex: 0 });
   const input = el("textarea", { rows: 1, placeholder: T.console.input, "aria-label": T.console.input, spellcheck: "false",
@@ -91,17 +91,17 @@ export function make_console(parts) {
     fit();
     evaluate(text);
   };
-  /// Runs a line for another view: resolves to { ok, text }, where text is the error.
+  /// Runs a console line for another view. Resolves to { ok, text }, where text is the error.
   parts.run_line = (text) => new Promise((resolve) => {
     if (!link.is_open) return resolve({ ok: false, text: T.link.no_answer });
     evaluate(text, ({ ok }) => resolve({ ok, text: last_error }));
   });
-  /// The answer to a request of another view, such as completions.
+  /// Sends a request for another view, such as for completions. Resolves to the answer.
   parts.ask_console = (request) => new Promise((resolve) => {
     if (!link.is_open) return resolve({});
     ask(request, resolve);
   });
-  /// An incomplete line continues on the next one.
+  /// Sends the input if it is complete; otherwise it continues on the next line.
   const send_when_whole = () => {
     const text = input.value;
     ask({ do: "is_complete", text }, ({ ok }) => {

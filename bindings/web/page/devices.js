@@ -2,9 +2,9 @@
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
-const FEW = 4;  // buttons that are always in sight, also on a phone
+const FEW = 4;  // so few buttons are always shown, also on a phone
 
-/// Keeps its node up to date; `chosen()` is the index of the robot, or null.
+/// Makes the view, which keeps itself up to date. `chosen()` returns the index of the selected robot, or null.
 export function make_devices({ model, acts }, chosen) {
   const lights = el("output", { class: "lights" });
   const buttons = el("div", { class: "row" });
@@ -39,14 +39,14 @@ export function make_devices({ model, acts }, chosen) {
     const one = robot();
     const sensors = (one?.sensors ?? []).filter(({ kind }) => kind === "button" || kind === "touch").map(({ name }) => name);
     const component = one && model.component(one.name);
-    // The lights of some robots are known by their port, which has the name of the member.
+    // Some robots have no members for lights and so on, but ports of the same names.
     const told = ["leds", "buzzer", "battery"].filter((name) => component?.members.includes(name) || component?.ports.some((port) => port.name === name));
     const display = component?.ports.find(({ way, type }) => way === "in" && type === "CameraImage");
     const now = JSON.stringify([one?.name, sensors, told, display?.name]);
-    if (now === shown) return tell();  // whether it may drive has changed
+    if (now === shown) return tell();  // only the permission to drive has changed
     shown = now;
     screen_port = display ? `${one.name}.${display.name}` : "";
-    screen.removeAttribute("src");  // of another robot
+    screen.removeAttribute("src");  // the screen shows another robot
     screen.hidden = true;  // until there is a picture
     if (one) node.setAttribute("aria-label", T.devices.of(one.name));
     model.watch("devices", one ? { ...model.wanted(told.map((name) => `${one.name}.${name}`)), pictures: screen_port ? [screen_port] : [] } : null);
@@ -61,7 +61,7 @@ export function make_devices({ model, acts }, chosen) {
     const leds = Object.values(model.value_of(`${one?.name}.leds`)?.value ?? {});
     const buzzer = Object.values(model.value_of(`${one?.name}.buzzer`)?.value ?? {})[0] ?? 0;
     const volts = Object.values(model.value_of(`${one?.name}.battery`)?.value ?? {})[0];
-    const is_low = one?.may_drive === false;  // the driver's own judgement
+    const is_low = one?.may_drive === false;  // the robot's driver decides this
     lights.replaceChildren(...leds.map((is_on, i) => el("span", { class: is_on ? "led on" : "led", role: "img", "aria-label": T.devices.led(i + 1, is_on), title: T.devices.led(i + 1, is_on) })),
       buzzer > 0 ? T.devices.tone(buzzer) : "", ...(Number.isFinite(volts) ? [el("span", { class: is_low ? "battery low" : "battery", text: T.devices.battery(volts.toFixed(1), is_low) })] : []));
   };

@@ -38,7 +38,7 @@ class Diagram {
   #chosen = null;  // { component } or { from, to }
   #begun = null;  // the port at which a connection was started
   #looked_at = null;
-  #centre = "";  // the component that is shown with its neighbours, if not all are
+  #centre = "";  // the component that is shown with its neighbours, if not all components are shown
   #is_part = false;
 
   constructor(parts) {
@@ -91,7 +91,7 @@ class Diagram {
     this.sheet.fit(this.#boxes, this.#is_part ? this.#boxes.get(this.#centre) : null);
   }
 
-  /// One component with its neighbours, or all.
+  /// Shows one component with its neighbours, or all components.
   show_part(is_part) {
     this.#is_part = is_part;
     if (this.#chosen?.component) this.#centre = this.#chosen.component;
@@ -108,13 +108,13 @@ class Diagram {
     this.#choose({ component: name });
   }
 
-  /// The components in sight.
+  /// The components that are shown.
   #shown_of(components, connections) {
     const names = components.map(({ name }) => name);
     if (!names.includes(this.#centre)) this.#centre = names[0] ?? "";
     this.part_button.textContent = this.#is_part ? T.diagram.all_parts : T.diagram.part;
     this.centres.hidden = !this.#is_part;
-    this.part_button.hidden = !this.#is_part && names.length < 3;  // two are neighbours
+    this.part_button.hidden = !this.#is_part && names.length < 3;  // with two components, both are shown anyway
     if (this.centres.dataset.names !== names.join()) this.centres.replaceChildren(...names.map((name) => el("option", { value: name, text: name })));
     this.centres.dataset.names = names.join();
     this.centres.value = this.#centre;
@@ -241,7 +241,8 @@ class Diagram {
     return node;
   }
 
-  /// Until the pointer is released. Without movement, the next port that is pressed ends the connection.
+  /// Starts a connection at a port, by dragging to another one. After a click without movement, the next clicked port ends
+  /// the connection.
   #drag_from(port, down) {
     if (!this.#begin(port)) return;
     const start = [down.clientX, down.clientY];
@@ -278,7 +279,7 @@ class Diagram {
     if (pair) connect_ports(this.#parts.acts, pair);
   }
 
-  /// While a connection is made, only ports that fit are bright.
+  /// While a connection is made, makes all ports pale that do not fit.
   #light() {
     this.svg.classList.toggle("connecting", this.#begun !== null);
     for (const node of this.nodes.querySelectorAll(".port")) {

@@ -1,4 +1,4 @@
-// What is chosen in the diagram: its state, and what can be done with it.
+// The chosen component or connection of the diagram: its state and its buttons.
 import { ask } from "./ask.js";
 import { el } from "./dom.js";
 import { error_of } from "./error_frames.js";
@@ -7,13 +7,14 @@ import { is_rtc, without_prefix } from "./rtcs.js";
 import { owner_of } from "./port_name.js";
 import { T } from "./texts.js";
 
-/// Connects two ports, ours or of RTCs.
+/// Connects two ports, of the system or of RTCs.
 export function connect_ports(acts, { from, to }) {
   const is_of_others = is_rtc(from) && is_rtc(to);
   return is_of_others ? acts.peer("connect", { from: without_prefix(from), to: without_prefix(to) }) : acts.connect(from, to);
 }
 
-/// Ends a connection of `model.connections`. What only a tool knows of ours can be ended only there.
+/// Ends a connection of `model.connections`. A connection that a tool has made to a port of ours can be ended only by the
+/// tool.
 export function disconnect_ports(acts, { from, to, given }) {
   if (given) return acts.disconnect(given.from, given.to);
   return acts.peer("disconnect", { from: without_prefix(from), to: without_prefix(to) });

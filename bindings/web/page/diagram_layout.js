@@ -21,7 +21,7 @@ export function box_of({ name, type, kind, ports, error }) {
   return { w, h: HEAD + rows * ROW + 8 + (error ? ROW : 0), ports: places };
 }
 
-/// Sets of connected components.
+/// The sets of components that are connected with each other.
 function groups_of(names, links) {
   const of = new Map(names.map((name) => [name, name]));
   const root = (name) => (of.get(name) === name ? name : root(of.get(name)));
@@ -34,7 +34,7 @@ function groups_of(names, links) {
   return [...groups.values()];
 }
 
-/// The column of each component: the longest way from a source. Links that close a cycle are ignored.
+/// The column of each component: the length of the longest path from a source. Links that close a cycle are ignored.
 function columns_of(names, links, starts) {
   const state = new Map();
   const forward = [];
@@ -95,7 +95,7 @@ function place_group(names, links, boxes, starts) {
   return { boxes: placed, w: x - BETWEEN, h: h + (back > 0 ? 18 + LANE * back : 0) };
 }
 
-/// All boxes: Map(name: { x, y, w, h, ports }). `kept`: places chosen by a person: { name: [x, y] }.
+/// Places all boxes: Map(name: { x, y, w, h, ports }). `kept`: places that a person has chosen: { name: [x, y] }.
 export function place(components, connections, kept = {}) {
   const names = components.map((each) => each.name);
   const known = new Set(names);
@@ -118,7 +118,7 @@ export function place(components, connections, kept = {}) {
   return placed;
 }
 
-/// The place of a port: [x, y], or null.
+/// The position of a port: [x, y], or null.
 export function port_at(boxes, port) {
   const [owner, name] = split_port(port);
   const box = boxes.get(owner);
@@ -128,7 +128,7 @@ export function port_at(boxes, port) {
 
 /// The lines of all connections: [{ from, to, path }].
 export function route(boxes, connections) {
-  const lanes = [];  // taken: [height of the lane, left end, right end]
+  const lanes = [];  // lanes in use: [height of the lane, left end, right end]
   return connections.flatMap(({ from, to }) => {
     const [a, b] = [port_at(boxes, from), port_at(boxes, to)];
     if (!a || !b) return [];
@@ -142,13 +142,13 @@ export function route(boxes, connections) {
   });
 }
 
-/// From left to right.
+/// The path of a connection from left to right.
 export function curve([ax, ay], [bx, by]) {
   const reach = Math.max(24, Math.abs(bx - ax) / 2);
   return `M${ax} ${ay}C${ax + reach} ${ay} ${bx - reach} ${by} ${bx} ${by}`;
 }
 
-/// Backwards, below the boxes, with round corners.
+/// The path of a connection from right to left: below the boxes, with round corners.
 function around([ax, ay], [bx, by], low, out) {
   const r = 9;
   return `M${ax} ${ay}H${ax + out - r}q${r} 0 ${r} ${r}V${low - r}q0 ${r} ${-r} ${r}H${bx - out + r}q${-r} 0 ${-r} ${-r}V${by + r}q0 ${-r} ${r} ${-r}H${bx}`;

@@ -6,7 +6,7 @@ const READABLE = 0.75;
 
 export class Sheet {
   #svg;
-  #at = { x: 0, y: 0, scale: 1 };  // the corner's point of the drawing area, and pixels per unit
+  #at = { x: 0, y: 0, scale: 1 };  // the point of the drawing area in the corner of the view, and pixels per unit
   #fingers = new Map();
   #is_fitted = true;
 
@@ -69,7 +69,7 @@ export class Sheet {
     this.#show();
   }
 
-  /// Shows all boxes. With a `centre`, names stay readable: what has no room around that box is outside.
+  /// Shows all boxes. With a `centre`, names stay readable: boxes that do not fit around this box are outside of the view.
   fit(boxes, centre = null) {
     const all = [...boxes.values()];
     const { clientWidth: w, clientHeight: h } = this.#svg;
@@ -78,7 +78,7 @@ export class Sheet {
     const [x0, y0] = [Math.min(...all.map((b) => b.x)) - margin, Math.min(...all.map((b) => b.y)) - margin];
     const [x1, y1] = [Math.max(...all.map((b) => b.x + b.w)) + margin, Math.max(...all.map((b) => b.y + b.h)) + margin + 14];
     const scale = Math.max(centre ? READABLE : 0, Math.min(1.25, w / (x1 - x0), h / (y1 - y0)));
-    // Where the drawing is larger than the sheet, the centre is in the middle.
+    // If the drawing is larger than the view, the centre box is in the middle.
     const corner = (from, to, size, middle) => (to - from <= size + 1 || !centre ? (from + to - size) / 2 : Math.max(from, Math.min(to - size, middle - size / 2)));
     this.#at = { scale, x: corner(x0, x1, w / scale, centre && centre.x + centre.w / 2), y: corner(y0, y1, h / scale, centre && centre.y + centre.h / 2) };
     this.#is_fitted = true;

@@ -1,5 +1,5 @@
-// Driving by hand: the pad, its values and scale, and the present driver. Releasing it, or losing the focus or the
-// connection, sends zero.
+// Driving by hand: the pad, its values and scale, and the present driver. When the pad is released, or the focus or the
+// connection is lost, zero is sent.
 import { at_most_every, el } from "./dom.js";
 import { Gamepad } from "./gamepad.js";
 import { make_pad, RADIUS } from "./pad.js";
@@ -68,7 +68,7 @@ class Driver {
     [this.port, this.type] = [port, type];
   }
 
-  /// The stick is at (x, y) [px]; `held` is false after it was released.
+  /// Handles a new position (x, y) of the stick [px]; `held` is false after the release.
   move(x, y, held) {
     this.#stick = [x * this.scale, y * this.scale];
     if (!held) return this.let_go();
@@ -188,7 +188,7 @@ export function make_drive(parts) {
     source, el("p", { class: "hint", text: T.drive.keys }), gamepad);
   model.on("system", at_most_every(50, fill));
   parts.link.on("lost", show_who);
-  model.on("chosen", (robot) => {  // in the view of the world
+  model.on("chosen", (robot) => {  // a robot was chosen in the view of the world
     const own = drivable(model).find(([name]) => name.startsWith(`${robot}.`));
     if (!own || driver.is_mine) return;
     port.value = own[0];

@@ -1,4 +1,4 @@
-// The place of the editor among the views. The editor itself is loaded when it is first shown.
+// The view of the editor. The editor itself is loaded when the view is first shown.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
@@ -33,7 +33,7 @@ export function make_editor(parts) {
     })();
     return loaded;
   };
-  /// Opens a file as messages name it, at a line from 1.
+  /// Opens the file that messages show as `shown`, at a line, counted from 1.
   parts.open_file = async ({ shown, line, column }) => {
     parts.layout.choose("editor");
     (await load())?.open_shown(shown, line, column);

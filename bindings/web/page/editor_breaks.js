@@ -5,7 +5,7 @@ import { T } from "./texts.js";
 export function make_breaks(editor, parts) {
   const { text } = editor;
   const { model, link } = parts;
-  const breaks = new Map();  // file: Map of line handle to the place that the engine has
+  const breaks = new Map();  // file: Map of line handle to the place under which the engine knows the breakpoint
   let stopped = null;        // { doc, handle }
 
   const breaks_of = (file) => breaks.get(file) ?? breaks.set(file, new Map()).get(file);
@@ -18,7 +18,7 @@ export function make_breaks(editor, parts) {
       if (line !== null) text.setGutterMarker(line, "gutter-breaks", el("span", { class: "break-sign", title: T.editor.break_here, text: "●" }));
     }
   };
-  let latest = Promise.resolve();  // the change that is being made: each begins when the one before it has ended
+  let latest = Promise.resolve();  // the last change; each change begins after the one before it
   const in_turn = (change) => (...given) => {
     latest = latest.then(() => change(...given));
     return latest;
@@ -35,9 +35,9 @@ export function make_breaks(editor, parts) {
     else here.set(handle, place);
     show();
     if (is_there) editor.say(T.editor.no_break(line + 1));
-    else if (!stopped) editor.say(T.editor.break_at(line + 1));  // time may have paused there already
+    else if (!stopped) editor.say(T.editor.break_at(line + 1));  // if the line ran already, the message about it stays
   });
-  /// A file was saved: breakpoints of lines that have moved move in the engine too.
+  /// Called after a file was saved: moves the engine's breakpoints of lines that have moved.
   const saved = in_turn(async (file) => {
     const shown = editor.files.get(file)?.shown ?? file;
     const moved = [...breaks_of(file)].map(([handle, place]) => {
@@ -51,7 +51,7 @@ export function make_breaks(editor, parts) {
     }
     show();
   });
-  /// unwatch() at the console ends breakpoints as well.
+  /// Called for a console line: `unwatch` removes breakpoints.
   const unwatched = (line) => {
     const [, whole, place] = /\bunwatch\s*(?:(\(\s*\))|\(?\s*["']([^"']+)["'])/.exec(line) ?? [];
     if (whole) breaks.clear();
@@ -78,7 +78,7 @@ export function make_breaks(editor, parts) {
     editor.say(T.editor.stopped(line + 1), "bad");
   });
   model.on("frame", () => stopped && model.frame.running && leave());
-  // Breakpoints belong to the connection.
+  // The engine ends the breakpoints of a connection that is lost.
   link.on("lost", () => {
     breaks.clear();
     show();

@@ -3,7 +3,7 @@ import { el } from "./dom.js";
 import { T } from "./texts.js";
 
 export function make_coverage(editor, { model }) {
-  const marked = new Map();  // doc: the lines that have a mark
+  const marked = new Map();  // document: the lines that have a mark
 
   const show = () => {
     if (!editor.file || marked.has(editor.present.doc) || editor.is_changed(editor.file)) return;

@@ -2,8 +2,8 @@
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
-const AROUND = 3;  // equal lines that are shown beside different ones
-const MOST = 4e6;  // cells of the table of lengths; larger middles are taken as wholly different
+const AROUND = 3;  // equal lines that are shown around different ones
+const MOST = 4e6;  // cells of the table of lengths; larger parts count as completely different
 
 /// Rows [sign, line]: " " in both, "-" only in the first text, "+" only in the second.
 export function difference(first, second) {
@@ -18,7 +18,7 @@ export function difference(first, second) {
   return [...a.slice(0, begin).map((line) => [" ", line]), ...middle(left, right), ...a.slice(a.length - end).map((line) => [" ", line])];
 }
 
-/// By the longest common subsequence.
+/// The rows between the equal beginnings and ends, by the longest common subsequence.
 function middle(a, b) {
   if (a.length * b.length > MOST) return [...a.map((line) => ["-", line]), ...b.map((line) => ["+", line])];
   const width = b.length + 1;

@@ -1,6 +1,6 @@
-// The project's files as the engine gives them, and the texts that a person has not saved yet.
+// The project's files, which the engine sends, and the texts that a person has not saved yet.
 
-const PATIENCE = 30000;  // ms, of a check or a slow disk
+const PATIENCE = 30000;  // ms to wait for an answer, because of checks and slow disks
 
 export class Files {
   all = [];  // { file, shown, kind }
@@ -24,7 +24,7 @@ export class Files {
     return this.all.find((each) => each.file === file);
   }
 
-  /// The file that a message names: by its path, otherwise the only file whose path ends like this.
+  /// The file that a message shows as `shown`: the file of this path, or else the only file whose path ends in it.
   named(shown) {
     const exact = this.all.find((each) => each.shown === shown || each.file === shown);
     if (exact) return exact;
@@ -33,7 +33,7 @@ export class Files {
   }
 }
 
-/// What is not saved survives a reload of the page, in this tab only.
+/// Unsaved texts. They survive a reload of the page, in this tab only.
 export const drafts = {
   key: (file) => `nezumi.draft ${file}`,
   get: (file) => JSON.parse(sessionStorage.getItem(drafts.key(file)) ?? "null"),
@@ -41,7 +41,7 @@ export const drafts = {
     try {
       sessionStorage.setItem(drafts.key(file), JSON.stringify(draft));
     } catch {
-      // More than a browser keeps: the text stays in the editor.
+      // The text is larger than the browser's storage allows: it stays only in the editor.
     }
   },
   remove: (file) => sessionStorage.removeItem(drafts.key(file)),

@@ -1,4 +1,4 @@
-// What `nezumi check` finds in the text that is being written: marks in it, and a list below it.
+// The findings of `nezumi check` in the edited text: marks in the text, and a list below it.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
@@ -16,7 +16,7 @@ export function make_findings(editor, { model }) {
     marks = [];
     editor.text.clearGutter("gutter-findings");
   };
-  /// The name at a place, otherwise the rest of the line.
+  /// The range to mark: the name at this place, or else the rest of the line.
   const range_at = (line, column) => {
     const text = editor.text.getLine(line) ?? "";
     const from = column > 0 ? Math.min(column - 1, Math.max(0, text.length - 1)) : text.search(/\S|$/);

@@ -4,7 +4,7 @@ import { put_snippet, snippets_for } from "./editor_snippets.js";
 import { complete, describe, Words } from "./editor_words.js";
 import { T } from "./texts.js";
 
-const RESTS = 450;  // ms that the pointer rests on a name
+const RESTS = 450;  // ms that the pointer must rest on a name to see its documentation
 const MOST = 300;
 
 export function make_help(editor, parts) {
@@ -58,7 +58,7 @@ export function make_help(editor, parts) {
     node.append(el("span", { text: usage || name }), doc && el("small", { text: doc }));
   } });
   const to_snippet = (word, snippet) => ({ ...to_hint({ name: `${word} …`, doc: T.editor.snippet }), hint: (_, { from, to }) => put_snippet(text, snippet, from, to) });
-  /// What the running system knows of a name, as in its console.
+  /// Asks the running system about a name, as its console does.
   const ask_system = async (whole, cursor) => {
     const before = whole.slice(0, cursor);
     const bytes = new TextEncoder().encode(before);

@@ -16,7 +16,7 @@ function load(node) {
 /// Resolves to CodeMirror; fails if the library is not installed.
 export async function load_editor_library() {
   if (globalThis.CodeMirror) return globalThis.CodeMirror;
-  // They come at once and run in their order.
+  // The scripts load at the same time and run in their order.
   await Promise.all([...STYLES.map((href) => load(Object.assign(document.createElement("link"), { rel: "stylesheet", href }))),
     ...SCRIPTS.map((name) => load(Object.assign(document.createElement("script"), { src: HOME + name, async: false })))]);
   return globalThis.CodeMirror;

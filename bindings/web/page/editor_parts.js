@@ -4,7 +4,7 @@ import { T } from "./texts.js";
 
 const KINDS = ["behaviors", "modules", "systems", "robots", "scenarios", "messages", ""];
 
-/// The list: grouped by kind, searched by a part of the name.
+/// Makes the list of files: grouped by kind, with a search for parts of names.
 export function make_list(open) {
   const search = el("input", { type: "search", placeholder: T.editor.search, "aria-label": T.editor.search });
   const rows = el("div", { class: "rows" });
@@ -29,7 +29,7 @@ export function make_list(open) {
   } };
 }
 
-/// A sheet over the text: a title, contents, and buttons of [text, work, class].
+/// Makes a sheet over the text with a title, contents, and buttons, each given as [text, work, class].
 export function make_sheet(node) {
   const close = () => {
     node.hidden = true;

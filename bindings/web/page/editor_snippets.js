@@ -1,6 +1,7 @@
-// Snippets: what files often begin with. Each is offered under the word that it begins with, where that word is known.
+// Snippets: common pieces of files. A snippet is offered as a completion of the word with which it begins, in files that
+// may use this word.
 
-/// For each kind of file: word to text. What stands between « and » is a place that a person fills in.
+/// For each kind of file: word to text. A text between « and » is a place that the person fills in.
 export const SNIPPETS = {
   behaviors: {
     input: 'local «range» = input("«in»", "«TimedShortSeq»", "«distance sensors»")',
@@ -34,7 +35,7 @@ export function places_in(snippet) {
   return { text, places };
 }
 
-/// Puts a snippet in place of a range, and selects its places one after the other: Tab goes on, Esc ends.
+/// Replaces a range by a snippet, and selects its places one after the other: Tab goes to the next place, Esc ends.
 export function put_snippet(editor, snippet, from, to) {
   const begin = editor.indexFromPos(from);
   const { text, places } = places_in(snippet);

@@ -1,8 +1,8 @@
-// Values at the lines of the open file while a behaviour runs it, and a mark at each line that has been seen to run.
+// Shows values at the lines of the open file while a behaviour runs it, and marks each line that was seen to run.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
-const AGAIN = 500;  // ms between two executions that are looked at
+const AGAIN = 500;  // ms between two requested executions
 const LONGEST = 90;  // characters of the values at a line
 
 const is_same = (shown, name) => shown === name || shown.endsWith(`/${name}`) || name.endsWith(`/${shown}`);
@@ -15,7 +15,7 @@ export function make_values(editor, { link, model }) {
   let timer = null;
   let waits = false;
   let widgets = [];
-  let ran = new Set();  // handles of lines
+  let ran = new Set();  // handles of the marked lines
   const is_on = () => toggle.getAttribute("aria-pressed") === "true";
 
   const clear_values = () => {
@@ -71,7 +71,7 @@ export function make_values(editor, { link, model }) {
       editor.say(seen.problem, "bad");
       return stop();
     }
-    // The lines of a text that was changed are others than those that ran.
+    // Not after a change of the text: its lines are no longer those that ran.
     if (!editor.is_changed(editor.file)) show(seen.lines);
     timer = setTimeout(ask, AGAIN);
   });

@@ -1,4 +1,4 @@
-// The editor: the project's files in a list, one of them open, what is wrong with it, and its versions.
+// The editor: a list of the project's files, the open file, its errors, and its versions.
 import { ask } from "./ask.js";
 import { el } from "./dom.js";
 import { make_breaks } from "./editor_breaks.js";
@@ -11,13 +11,13 @@ import { make_list, make_sheet } from "./editor_parts.js";
 import { make_values } from "./editor_values.js";
 import { T } from "./texts.js";
 
-const WAITS = 2500;  // ms, for what became of a saved file
+const WAITS = 2500;  // ms to wait for the engine's reaction to a saved file
 
 class Editor {
   file = "";
   #parts;
   #docs = new Map();  // file: { doc, mark, saved (generation), shown, kind }
-  #waits = null;      // for what became of a saved file
+  #waits = null;      // set while the editor waits for the engine's reaction to a saved file
 
   constructor(parts, CodeMirror) {
     this.#parts = parts;
@@ -72,7 +72,7 @@ class Editor {
     this.state.className = `told ${kind}`;
   }
 
-  /// After Esc, Tab leaves the text, as it does elsewhere in the page.
+  /// Moves the focus out of the text: after Esc, Tab does this, as elsewhere in the page.
   #leave() {
     this.leaves = false;
     this.save_button.disabled ? this.versions_button.focus() : this.save_button.focus();
@@ -129,7 +129,7 @@ class Editor {
     const draft = drafts.get(file);
     this.#docs.set(file, { doc, mark, saved: doc.changeGeneration(true), kind: this.files.get(file)?.kind ?? "" });
     if (!draft || draft.text === content) return;
-    doc.setValue(draft.text);  // a page that was reloaded
+    doc.setValue(draft.text);  // restores the unsaved text after a reload of the page
     this.#docs.get(file).mark = draft.mark;
   }
 
@@ -164,7 +164,7 @@ class Editor {
     this.values.changed();
   }
 
-  /// `mark`: that of the text which may be replaced.
+  /// Saves the open file, if its text on the disk still has this `mark`.
   async save(mark = this.present?.mark) {
     const { file, present } = this;
     if (!present || (!this.is_changed(file) && mark === present.mark)) return;
@@ -193,7 +193,7 @@ class Editor {
     }
   }
 
-  /// Resolves to what the engine does with the file that is being saved.
+  /// Resolves to the engine's reaction to the file that is being saved.
   #watch_for(file) {
     const shown = this.files.get(file)?.shown ?? file;
     return new Promise((resolve) => {
@@ -231,7 +231,7 @@ class Editor {
     if (file.endsWith("_test.lua") || !this.files.get(file)) this.files.list().then(() => this.show_list());
   }
 
-  /// The file is not the one that was read.
+  /// Asks which text to keep, because another program has changed the file.
   #ask_which(file, mine, { content, mark, text }) {
     this.sheet.show(text, [el("p", { class: "hint", text: T.editor.which }), show_difference(content ?? "", mine)], [
       [T.editor.overwrite, () => {
@@ -245,7 +245,7 @@ class Editor {
     ]);
   }
 
-  /// Takes the present text of a file; undo goes back to one's own.
+  /// Replaces the edited text by the present text of the file; undo goes back to the edited text.
   #replace(file, content, mark) {
     const each = this.#docs.get(file);
     each.doc.setValue(content);
@@ -255,7 +255,7 @@ class Editor {
     this.say(T.editor.taken);
   }
 
-  /// Whether the open file was changed by another program.
+  /// Checks if another program has changed the open file, and takes its text or shows a message.
   async look_again() {
     const { file, present } = this;
     if (!present || !this.#parts.model.may_act) return;
@@ -289,7 +289,7 @@ class Editor {
     this.sheet.show(T.editor.versions_of(file), [el("div", { class: "versions" }, rows, about)], []);
   }
 
-  /// A new file, from nothing.
+  /// Makes a new empty file.
   async make() {
     const file = await ask(T.editor.new_name, T.editor.make, "behaviors/");
     if (!file) return;

@@ -1,9 +1,9 @@
-// What the words of a file mean: from the engine's annotations, the same as for other editors, and from the file itself.
+// The meaning of the names in a file: from the engine's annotations, which other editors use too, and from the file itself.
 
 const NAME = "[A-Za-z_][A-Za-z0-9_]*";
 const KEYWORDS = "and break do else elseif end false for function goto if in local nil not or repeat return then true until while".split(" ");
 
-/// The type at the begin of a text and the rest: a type has blanks only within brackets and after the : of a function.
+/// Splits a text after the type at its beginning. A type has blanks only within brackets and after the `:` of a function.
 function take_type(text) {
   let depth = 0;
   for (let i = 0; i < text.length; ++i) {
@@ -26,7 +26,7 @@ function take_function(type) {
 export class Words {
   classes = new Map();  // name: { parent, doc, fields: name to { type, doc, usage } }
   globals = new Map();  // name: { type, doc, usage, params }
-  types = [];           // of messages
+  types = [];           // types of messages
   #scopes;
 
   /// `scopes`: the global names for each kind of file.
@@ -92,7 +92,7 @@ function without_comments(text) {
 /// The type of a message as a part of class names.
 const class_of = (type) => type.replaceAll("/", ".");
 
-/// What a file declares: variables with their types, and parameters.
+/// The declarations of a file: variables with their types, and parameters.
 function declarations(words, text, kind) {
   const types = new Map(kind === "scenarios" ? [["s", "Scenario"]] : []);
   const params = new Map();
@@ -110,7 +110,7 @@ function declarations(words, text, kind) {
   return { types, params };
 }
 
-/// The fields that stand behind a chain of names, as ["config"].
+/// The fields that can follow a chain of names, such as ["config"].
 function members(words, declared, chain) {
   const [first, ...rest] = chain;
   if (first === "config" && rest.length === 0) return declared.params;
@@ -135,7 +135,7 @@ function open_table(text) {
   return null;
 }
 
-/// Fields of the table that is open at the end of a text.
+/// The fields for the table that is open at the end of a text.
 function table_fields(words, declared, text) {
   const call = open_table(text);
   if (!call) return new Map();
@@ -182,7 +182,7 @@ export function complete(words, text, cursor, kind) {
 
 const sorted = (found) => [...found.values()].sort((a, b) => (a.name < b.name ? -1 : 1));
 
-/// What the name around a place means: { title, doc, params } or null.
+/// The documentation of the name at a place: { title, doc, params }, or null.
 export function describe(words, text, at, kind) {
   const end = at + /^[A-Za-z0-9_]*/.exec(text.slice(at))[0].length;
   const [, chain, part] = chain_before.exec(without_comments(text.slice(0, end)));

@@ -16,7 +16,7 @@ function changed_files(engine, folder, known) {
   const changed = {};
   const look = (path) => {
     for (const name of engine.FS.readdir(path)) {
-      if (name.startsWith(".")) continue;  // kept versions, too
+      if (name.startsWith(".")) continue;  // hidden files, such as kept versions
       const child = `${path}/${name}`;
       const { mode, mtime } = engine.FS.stat(child);
       if (engine.FS.isDir(mode)) {

@@ -1,4 +1,4 @@
-// The engine in a worker, as a transport of `Link`. It is ended when it does not answer, and can begin again.
+// The engine in a worker, as a transport of `Link`. The worker is ended when it does not answer; then a new one can begin.
 import { Emitter } from "./emitter.js";
 
 const LONGEST_SILENCE = 8000;  // ms; the engine sends at least once a second
@@ -9,19 +9,19 @@ export class EngineWorker extends Emitter {
   #make;
   #start;
   #worker = null;
-  #ready;  // the first one, which compiles its program already
+  #ready;  // the first worker, which compiles the program before `connect`
   #heard = 0;
   #is_open = false;
   serves_pages = false;
   helpers = null;  // `Helpers` that take some of the messages
 
-  /// `make` gives a Worker, `start` what worker.js begins with.
+  /// `make` returns a new Worker; `start` is the first message to worker.js.
   constructor(make, start) {
     super();
     this.#make = make;
     this.#start = start;
     this.#ready = make();
-    this.#ready.onerror = () => (this.#ready = null);  // connect tries again, and tells
+    this.#ready.onerror = () => (this.#ready = null);  // connect makes another worker, and reports its error
     setInterval(() => this.#is_open && !document.hidden && performance.now() - this.#heard > LONGEST_SILENCE && this.emit("silent"), 1000);
   }
 
@@ -29,7 +29,7 @@ export class EngineWorker extends Emitter {
     return this.#is_open;
   }
 
-  /// Also begins again, with other files.
+  /// Starts the engine. Called again, starts it anew, with other files.
   connect(start = this.#start) {
     this.end();
     this.#start = start;

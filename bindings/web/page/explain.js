@@ -1,6 +1,6 @@
 // Explains one execution of a behaviour: its inputs, the executed lines with values, its outputs, and the effect of the
-// robot's limits on the wheels. Where time stands, it is the execution before that moment. Requests nothing while the view
-// is hidden.
+// robot's limits on the wheels. While time is paused, explains the last execution. Requests nothing while the view is
+// hidden.
 import { el } from "./dom.js";
 import { error_of } from "./error_frames.js";
 import { T } from "./texts.js";
@@ -115,7 +115,7 @@ export function make_explain(parts) {
     if (shown_at !== null) shown_at = -1;
     stop_following();
   });
-  // After a step or a seek, the execution on the page is not the last one any more.
+  // After a step or a seek, the shown execution is no longer the last one.
   model.on("frame", () => {
     const is_old = shown_at !== null && shown_at !== model.frame.tick;
     if (is_shown && is_old && !model.frame.running && !model.looked) ask();

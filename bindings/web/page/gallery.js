@@ -1,4 +1,4 @@
-// The gallery: what this browser keeps, and the shipped systems.
+// The gallery: the projects that this browser keeps, and the shipped systems.
 import { el } from "./dom.js";
 import { forget_project, keep_project, list_projects, new_id } from "./projects.js";
 import { systems_in } from "./project_files.js";

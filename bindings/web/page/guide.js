@@ -1,4 +1,4 @@
-// The tutorial beside a project of its own: each step says what to type, and a scenario checks it.
+// The guided tutorial, with a project of its own: each step says what to type, and a scenario checks the result.
 import { el } from "./dom.js";
 import { language, T } from "./texts.js";
 
@@ -19,7 +19,7 @@ const why = ({ results, errors }) => {
   return failed ? [failed.message, ...failed.lines.slice(0, 3)].filter(Boolean).join("\n") : results.length === 0 ? errors || W.too_few : "";
 };
 
-/// What is wrong with a step, or "".
+/// Checks a step. Resolves to the problem, or "".
 async function look_at(step, guide, files, helpers) {
   if (step.name !== "test") {
     const system = guide.files[language][SYSTEM];
@@ -32,7 +32,7 @@ async function look_at(step, guide, files, helpers) {
   return why(await helpers.results({ ...files, [BEHAVIOR]: slow }, TEST)) ? "" : W.too_good;
 }
 
-/// The panel of a guided project. `keep` keeps which step it is at.
+/// The panel of a guided project. `keep` stores the number of the present step.
 export function make_guide(guide, project, helpers, keep) {
   const node = el("aside", { class: "guide", "aria-label": W.begin });
   document.body.classList.add("guided");

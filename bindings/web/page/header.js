@@ -5,7 +5,7 @@ import { make_language_button, T } from "./texts.js";
 import { make_timeline } from "./timeline.js";
 import { make_troubles } from "./troubles.js";
 
-const LASTS = 2000;  // ms: a shorter lateness is not red
+const LASTS = 2000;  // ms: lateness is shown in red only if it lasts longer
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, "max"];
 
 function make_theme_button() {
@@ -79,7 +79,7 @@ function make_stop({ model, acts, notices }) {
     event.stopPropagation();
     if (!event.repeat && !model.hello?.view_only) acts.stop();
   }, true);
-  addEventListener("keyup", (event) => {  // a focused button would also be pressed by the release of the space bar
+  addEventListener("keyup", (event) => {  // otherwise releasing the space bar would press the focused button
     if (event.code === "Space" && !is_typing(event.target)) event.preventDefault();
   }, true);
   return el("div", { class: "stopping" }, rearm, stop);
@@ -118,7 +118,7 @@ function make_share({ model, notices }) {
     }
   };
   model.on("hello", () => {
-    button.hidden = !model.hello.view_token;  // the class decides who sees it
+    button.hidden = !model.hello.view_token;  // in a class there is no view token
   });
   return button;
 }
@@ -136,7 +136,7 @@ export function make_header(parts) {
   link.on("open", () => say(T.link.open, true));
   link.on("lost", () => say(T.link.connecting, false));
   model.on("system", () => {
-    name.textContent = model.system.name || T.scenarios.one;  // a world of a scenario may have no file
+    name.textContent = model.system.name || T.scenarios.one;  // the system of a scenario may have no file, and so no name
     name.title = model.system.file;
   });
   model.on("hello", () => {

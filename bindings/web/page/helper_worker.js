@@ -1,4 +1,4 @@
-// The thread for scenarios or for checks: an engine of its own, so that the page's engine goes on meanwhile.
+// A thread for scenarios or checks. It has its own engine, so that the engine of the page continues meanwhile.
 importScripts("nezumi.js", "engine_files.js");
 
 let start;   // { module, shipped }
@@ -43,7 +43,7 @@ async function work({ id, files, call, words }) {
   postMessage({ id, status, errors: errors.join("\n") });
 }
 
-// One after the other: the first may still wait for its engine.
+// Runs requests one after the other, because the first may still wait for the engine.
 let last = Promise.resolve();
 onmessage = ({ data }) => {
   if (data.start) start = data.start;

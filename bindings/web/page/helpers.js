@@ -1,10 +1,10 @@
-// Scenarios and checks of a project in workers of their own, behind the messages by which a served page asks for them.
+// Runs scenarios and checks of a project in separate workers. Answers the same messages that a page sends to a server.
 import { read_report } from "./tap.js";
 
 const COVERAGE = "# coverage\n";
-const none_kept = (text) => text.replace(/^ {4}- "?files: .*\n/gm, "");  // a page keeps no folder of a failed run
+const none_kept = (text) => text.replace(/^ {4}- "?files: .*\n/gm, "");  // a page keeps no folders of failed runs
 
-/// A worker that is asked. It is ended, and another one begins, when an answer is not wanted any more.
+/// A worker that answers requests. To cancel a request, the worker is ended and a new one begins.
 class Helper {
   #make;
   #start = null;
@@ -34,7 +34,7 @@ class Helper {
     this.#worker.postMessage({ start });
   }
 
-  /// Calls a function of the engine's program. Resolves to { status, errors }; `said` gets what it sends meanwhile.
+  /// Calls a function of the engine's program. Resolves to { status, errors }; `said` gets each text that it sends.
   ask(files, call, words, said) {
     const id = ++this.#last;
     return new Promise((resolve) => {
@@ -62,7 +62,7 @@ export class Helpers {
   #tell;
   #is_running = false;
 
-  /// `make` gives a Worker, `files` the present files of the project, `tell` takes an object for the page.
+  /// `make` returns a new Worker, `files` returns the present files of the project, `tell` sends an object to the page.
   constructor(make, files, tell) {
     this.#tests = new Helper(make);
     this.#checks = new Helper(make);
@@ -70,7 +70,7 @@ export class Helpers {
     this.#tell = tell;
   }
 
-  /// { module, shipped }: what their engines are made of.
+  /// Sets { module, shipped }, from which the engines of the workers are made.
   set start(start) {
     this.#tests.start = start;
     this.#checks.start = start;
@@ -81,7 +81,7 @@ export class Helpers {
     this.#checks.end();
   }
 
-  /// Takes a message of the page to the engine; false: it is for the engine.
+  /// Handles a message of the page. False: the message is for the engine.
   takes(text) {
     if (text.startsWith('{"do":"test"')) this.#test(JSON.parse(text));
     else if (text.startsWith('{"do":"edit","what":"check"')) this.#check(JSON.parse(text));
@@ -96,7 +96,7 @@ export class Helpers {
     return { results: read_report(none_kept(report)), errors };
   }
 
-  /// After the page has noted that it waits for it.
+  /// Answers a request. The answer is sent later, when the page already waits for it.
   #answer = (id, ok, text, more = {}) => queueMicrotask(() => this.#tell({ is: "answer", id, ok, text, ...more }));
 
   async #check({ id, file, text }) {

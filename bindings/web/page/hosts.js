@@ -1,4 +1,4 @@
-// Other hosts in the diagram: their components are boxes with all their offered ports.
+// Other hosts in the diagram: each of their components is a box with all ports that it offers.
 import { split_port } from "./port_name.js";
 
 /// The components of the system and of other hosts. A port `waits` if its host is missing or has no port of this name.

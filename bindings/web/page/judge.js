@@ -1,8 +1,9 @@
-// A behaviour as it is now, judged by a recording of the project: the first difference in words, and both curves.
+// Judges the present version of a behaviour by a recording of the project: shows the first difference as text, and both
+// curves.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
-const PATIENCE = 120000;  // ms, for a long recording
+const PATIENCE = 120000;  // ms to wait for the result of a long recording
 
 export function make_judge({ link, model, notices }) {
   const recording = el("select", { "aria-label": T.judge.recording });
@@ -44,7 +45,7 @@ export function make_judge({ link, model, notices }) {
     told.textContent = (text || T.link.no_answer).trimEnd();
     told.classList.toggle("error", !ok);
     plot.hidden = !content;
-    // A picture in this form runs no script.
+    // As the source of an image, an SVG can't run scripts.
     if (content) plot.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(content)}`;
     start.disabled = is_judging = false;
     if (!will_judge) return;

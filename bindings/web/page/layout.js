@@ -9,10 +9,10 @@ const GROUPS = {
   side: ["drive", "parameters", "cameras", "explain"],
   dock: ["console", "log", "scenarios"],
 };
-const PHONE = ["world", "drive", "parameters", "console"];  // at hand on a phone; the others are behind "More"
+const PHONE = ["world", "drive", "parameters", "console"];  // directly available on a phone; the others are under "More"
 const ICONS = { world: "◎", diagram: "⇄", plots: "∿", editor: "✎", drive: "✛", parameters: "≡", cameras: "▣", console: "❯", explain: "?", log: "☰", scenarios: "✓" };
 
-/// Tabs as in ARIA: one has the focus, arrow keys change it.
+/// Tabs as ARIA describes them: arrow keys move the focus between tabs.
 function make_tabs(label, names, chosen, choose) {
   const tabs = new Map(names.map((name) => [name, el("button", {
     class: "tab", role: "tab", "aria-controls": `view-${name}`, data: { view: name },
@@ -40,7 +40,7 @@ function make_tabs(label, names, chosen, choose) {
   return { node, update, badge };
 }
 
-/// `views`: name to { node, shown?(whether) }. Emits `shown` with the name of a view when it comes into sight.
+/// `views`: name to { node, shown?(whether) }. Emits `shown` with the name of a view when the view becomes visible.
 export function make_layout(views) {
   const layout = new Emitter();
   const present = (names) => names.filter((name) => views[name]);
@@ -76,7 +76,7 @@ export function make_layout(views) {
     update();
   };
 
-  /// The console has one line until a person uses it or the log.
+  /// Shows the whole console. It has only one line until a person uses the console or the log.
   const use_dock = () => layout.node.classList.remove("dock-unused");
   const more = el("details", { class: "more" });
   const all_tabs = [];

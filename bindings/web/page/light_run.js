@@ -1,4 +1,4 @@
-// The page of a light run in one file: what was recorded, and no engine.
+// The page of a light run in one file: it has the recorded values, and no engine.
 import { Acts } from "./acts.js";
 import { el } from "./dom.js";
 import { make_diagram } from "./diagram.js";
@@ -15,7 +15,7 @@ import { RecordedRun } from "./recorded_run.js";
 import { T } from "./texts.js";
 import { make_world } from "./world.js";
 
-/// Time can be chosen, and nothing else.
+/// The acts of this page: only time can be changed.
 class ActsOnTime extends Acts {
   constructor(link, model, notices) {
     super(link, model, notices);

@@ -3,8 +3,8 @@ import { Emitter } from "./emitter.js";
 
 const ANSWER_WITHIN = 5000;  // ms
 
-/// Emits: open, lost (why, wait in ms), said (an object of the engine), frame (kind, bytes). The transport brings the
-/// messages: a `Socket`, or the worker with the engine.
+/// Emits: open, lost (why, wait in ms), said (an object of the engine), frame (kind, bytes). The transport of the messages
+/// is a `Socket`, or the worker with the engine.
 export class Link extends Emitter {
   #transport;
   #next = 1;
@@ -41,7 +41,8 @@ export class Link extends Emitter {
     return true;
   }
 
-  /// Resolves to { ok, text } and what else the answer has; without an answer in time [ms], `ok` is false and `text` "".
+  /// Sends a request. Resolves to the answer { ok, text, ... }; without an answer within `within` ms, `ok` is false and
+  /// `text` is "".
   ask(what, within = ANSWER_WITHIN) {
     const id = this.#next++;
     return new Promise((resolve) => {

@@ -15,7 +15,7 @@ export function make_log(parts) {
   const search = el("input", { type: "search", placeholder: T.log.search, "aria-label": T.log.search });
   const count = el("span", { class: "hint" });
 
-  let start = 0;  // counts restarts: the lines before are of another time
+  let start = 0;  // number of the start; lines of earlier starts have other times
   const fits = (line) => LEVELS.indexOf(line.dataset.level) >= LEVELS.indexOf(level.value) &&
     line.textContent.toLowerCase().includes(search.value.toLowerCase());
   const tell = () => {
@@ -41,7 +41,7 @@ export function make_log(parts) {
   };
   level.onchange = filter;
   search.oninput = filter;
-  // While the slider of time is moved: what came later is pale, and the last line before is in sight.
+  // While the slider of time is moved: later lines are pale, and the last line before this time is visible.
   const look = () => {
     let last = null;
     for (const line of lines.children) {

@@ -4,7 +4,7 @@ import { make_page } from "./page.js";
 import { Socket } from "./socket.js";
 import { T } from "./texts.js";
 
-/// The token is in the address's fragment, which is not sent to servers, and is kept in this tab.
+/// Takes the token from the fragment of the address (after the #), which is not sent to servers. It is kept in this tab.
 function take_token() {
   const given = location.hash.slice(1);
   if (given) {

@@ -10,7 +10,8 @@ const single_type = (type) => type.replace("array of ", "");
 
 const KEPT_EMPTY = 2000;  // ms
 
-/// A value of numbers and texts by their names, ["pose.x", 1] or ["[2]", 1]; of the same kind as `now`, if that is known.
+/// Makes a value from its numbers and texts with their paths: ["pose.x", 1] or ["[2]", 1]. The present value `now`, if it
+/// is known, tells which numbers are booleans.
 function from_leaves(leaves, now) {
   let root;
   for (const [path, value] of leaves) {
@@ -35,26 +36,26 @@ export class Model extends Emitter {
   hello = null;
   system = null;
   boxes = [];   // the components of the system, of other hosts and other programs
-  connections = [];  // of all of them
-  rtcs = null;  // what the name services have, if the system is among RTCs
+  connections = [];  // of all components
+  rtcs = null;  // the RTCs in the name services, if the system uses RTCs
   frame = { time: 0, tick: 0, running: false, speed: 1, late: 0 };
   robots = [];   // poses by index
   things = [];
   markers = [];
-  rays = [];    // of each robot, by index
+  rays = [];    // the rays of each robot, by index
   floor = null;  // the address of the floor's picture, after it was received
-  coverage = new Map();  // of the latest run of scenarios: path of a file to Map of line to the number of runs
-  looked = null;  // { time }: robots, things and values are shown as they were then
+  coverage = new Map();  // of the latest run of scenarios: path of a file to Map of line to the number of its executions
+  looked = null;  // { time } while the page shows robots, things and values of a past time
   values = new Map();  // of watched ports and members: { value, tm, at, count }
-  #present = { robots: [], things: [] };  // poses while others are shown
-  #then = new Map();  // name: { value, tm }, of the time that is looked at, as far as it is remembered
+  #present = { robots: [], things: [] };  // the present poses, while past ones are shown
+  #then = new Map();  // name: { value, tm }: the remembered values of the past time that is shown
   #link;
   #cdr = null;
   #watchers = new Map();  // who: { ports, pictures, truth, rays }
   #sent = "";
   #slots = [];  // of watched ports: { name, since }
   #will_send = false;
-  #floor_asked = "";  // the system for which it was requested
+  #floor_asked = "";  // the system for which the picture was requested
 
   constructor(link) {
     super();
@@ -73,7 +74,7 @@ export class Model extends Emitter {
     return this.hello?.you ?? "";
   }
 
-  /// Sets what `who` wants to see from now on; nothing if left out.
+  /// Sets the values that `who` wants to see from now on. Without `wanted`, none.
   watch(who, wanted) {
     if (wanted) this.#watchers.set(who, wanted);
     else this.#watchers.delete(who);
@@ -108,12 +109,12 @@ export class Model extends Emitter {
     return (this.system?.components ?? []).flatMap(({ name, members }) => members.map((member) => `${name}.${member}`));
   }
 
-  /// What a watched port or member has at the time that is shown; undefined if it had nothing, or if that is not known.
+  /// The value of a watched port or member at the time that is shown; undefined if there was none, or if it is not known.
   value_of(name) {
     return (this.looked ? this.#then : this.values).get(name);
   }
 
-  /// Asks for the watched values of the time that is looked at.
+  /// Requests the watched values of the past time that is shown.
   #ask_then = at_most_every(50, () => {
     const names = [...this.#watchers.values()].flatMap(({ ports = [], members = [] }) => [...ports, ...members]);
     if (this.looked && names.length > 0) this.#link.send({ do: "then", at: this.looked.time, names: [...new Set(names)] });
@@ -144,7 +145,7 @@ export class Model extends Emitter {
     this.#send_watch();
   }
 
-  /// Once per start. The picture comes over the connection, because the page's files are served without a token.
+  /// Requests the picture of the floor, once per start. It comes over the connection, which needs a token, unlike files.
   #ask_floor({ start, file, arena }) {
     const which = arena.floor ? JSON.stringify([file, start, arena.floor]) : "";
     if (which === this.#floor_asked) return;
@@ -235,8 +236,8 @@ export class Model extends Emitter {
     return { ...this.hello?.types, ...this.system?.types };
   }
 
-  /// Shows robots and things where they were at a time, and the values of then: { time, robots, things: Map of poses by
-  /// index }; robots may be unknown. Null: the present.
+  /// Shows a past time: `then` is { time, robots, things: Map of poses by index }; `robots` may be undefined. Values of
+  /// that time are requested. Null: shows the present.
   look_at(then) {
     if (!then && !this.looked) return;
     if (!this.looked) this.#present = { robots: this.robots, things: this.things };
@@ -272,7 +273,7 @@ export class Model extends Emitter {
     this.emit("frame");
   }
 
-  /// The same of a recorded run, with the values themselves by their names.
+  /// Takes the state of a recorded run, in which ports and members have their values directly.
   #take_state({ values, ...state }) {
     this.#take_poses(state);
     for (const [name, value] of values) this.#take_value(name, { value, tm: state.time }, 1);
@@ -305,7 +306,7 @@ export class Model extends Emitter {
     try {
       this.#take_value(name, to_message(this.#cdr.read(port.type, payload)), count);
     } catch (wrong) {
-      console.warn(name, wrong.message);  // of an earlier watch list
+      console.warn(name, wrong.message);  // the message may belong to an earlier list of watched ports
     }
   }
 

@@ -30,7 +30,7 @@ export class Notices {
     this.#lasting.set(key, node);
   }
 
-  /// Shows `text` if a lasting message was shown until now.
+  /// Removes a lasting message, and shows `text` if there was one.
   clear_lasting(key, text) {
     const node = this.#lasting.get(key);
     if (!node) return;

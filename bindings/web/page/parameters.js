@@ -3,7 +3,7 @@ import { el } from "./dom.js";
 import { T } from "./texts.js";
 import { bounds_text, make_widget } from "./widgets.js";
 
-/// The structure of a row; if it is the same, only values change.
+/// A parameter without its values. If this is unchanged, only the values in the row are updated.
 const shape_of = ({ value, changed, given, ...rest }) => rest;
 
 function make_row(component, parameter, acts) {
@@ -26,8 +26,8 @@ function make_row(component, parameter, acts) {
   } };
 }
 
-/// A card of a component's parameters: { node, show(component) }. `set` and `use` as those of acts; `has_none`: all sets
-/// may be unused.
+/// A card of a component's parameters: { node, show(component) }. `acts` has `set` and `use`; `has_none`: it is possible
+/// to use no parameter set.
 export function make_card(component, acts, has_none = true) {
   const rows = new Map(component.parameters.map((each) => [each.name, make_row(component.name, each, acts)]));
   const state = el("span", { class: "state" });

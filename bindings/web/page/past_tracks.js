@@ -1,7 +1,7 @@
-// What the engine remembers of each branch of the run: marks, and where robots were.
+// The history of each branch of the run that the engine remembers: marks, and poses of robots and things.
 import { Emitter } from "./emitter.js";
 
-/// Emits: track (name of a branch), when news of it have come.
+/// Emits: track (name of a branch), when new data of the branch have arrived.
 export class Tracks extends Emitter {
   #link;
   // branch: { rows: [[time, x, y, yaw, x, ...], ...], things: [[time, index, x, y, z, roll, pitch, yaw], ...],
@@ -19,7 +19,7 @@ export class Tracks extends Emitter {
     model.on("restarted", () => this.#known.clear());
   }
 
-  /// With `rows`, also for the places of robots.
+  /// Requests the marks of a branch. With `rows`, also the poses of robots and things.
   ask(branch, rows = false) {
     this.#link.send({ do: "remembered", branch, rows });
   }
@@ -31,7 +31,7 @@ export class Tracks extends Emitter {
   things_at(branch, time) {
     const poses = new Map();
     for (const [at, index, x, y, z, r, p, yaw] of this.#known.get(branch)?.things ?? []) {
-      if (poses.has(index) && at > time + 1e-9) continue;  // the first one is where it stood before
+      if (poses.has(index) && at > time + 1e-9) continue;  // the first pose of a thing is where it stood before it moved
       poses.set(index, { position: { x, y, z }, orientation: { r, p, y: yaw } });
     }
     return poses;
@@ -51,8 +51,8 @@ export class Tracks extends Emitter {
   }
 }
 
-/// The branch that is drawn pale beside the present one: { branch, from: time [s], moves: its robots are drawn too }, or
-/// null. In the past it is what followed.
+/// The branch that is drawn pale beside the present one: { branch, from: time [s], moves: true if its robots are drawn },
+/// or null. In the past, this is the same branch, with its later part.
 export function ghost_of({ branches, branch, is_past } = { branches: [] }) {
   const here = branches[branch];
   if (!here) return null;

@@ -30,7 +30,8 @@ async function find(shipped, docs) {
   return undefined;
 }
 
-/// What was saved is kept under the project's own key; a shipped system, and one of a link, get one then.
+/// Stores the saved files under the key of the project. A shipped system, or a project of a link, gets a key at the first
+/// save.
 async function keep(project, saved) {
   project.files = { ...project.files, ...saved };
   if (!project.id) {
@@ -66,7 +67,7 @@ function make_bar(project, engine, start) {
   return bar;
 }
 
-/// A system that can't be loaded: its files as plain texts, until they are mended.
+/// For a system that can't be loaded: shows its files as plain texts, so that they can be corrected.
 function show_mending(project, why) {
   const named = Object.keys(project.files).find((name) => why.includes(name)) ?? project.system;
   const text = el("textarea", { spellcheck: "false", "aria-label": named, value: project.files[named] });
@@ -82,7 +83,7 @@ async function run(project, shipped, docs) {
   const engine = new EngineWorker(() => new Worker("worker.js"), start());
   engine.helpers = new Helpers(() => new Worker("helper_worker.js"), () => project.files, (what) => engine.emit("message", JSON.stringify(what)));
   engine.on("module", (module) => (engine.helpers.start = { module, shipped }));
-  const [{ notices }] = await Promise.all([  // after this nothing is loaded any more
+  const [{ notices }] = await Promise.all([  // after this, nothing more is loaded
     make_page(new Link(engine)), load_editor_library(), import("./editor_view.js"), import("./arena_edit.js")]);
   document.body.classList.add("in-playground");
   document.body.prepend(make_bar(project, engine, start));

@@ -1,4 +1,4 @@
-// The tree of all numbers of a system: components, their ports, and the numbers of each. What has data comes first.
+// The tree of all numbers of a system: components, their ports, and the numbers of each. Items with data come first.
 import { numbers_in } from "./cdr.js";
 import { at_most_every, el } from "./dom.js";
 import { split_port } from "./port_name.js";
@@ -7,7 +7,7 @@ import { T } from "./texts.js";
 const SURVEY = 700;  // ms
 const MOST_SURVEYED = 200;
 const MOST_ROWS = 400;
-const OPEN_AT_FIRST = 3;  // components with data; with more, all are closed at first
+const OPEN_AT_FIRST = 3;  // up to so many components with data are open at first; with more, all are closed
 
 /// `plots`: { has(port, path), toggle(port, path) }.
 export function make_plot_tree(plots, { model, run }) {
@@ -25,7 +25,7 @@ export function make_plot_tree(plots, { model, run }) {
 
   const words = () => search.value.toLowerCase().split(/[\s.]+/).filter(Boolean);
   const is_open = (key) => open.has(key) || words().length > 0;
-  /// Returns whether the port has other numbers than before, or its first data.
+  /// Learns the numbers of a port from its value. Returns whether they differ from before, or the port has its first data.
   const learn = (port) => {
     const now = model.values.get(port);
     const paths = numbers_in(now?.value).map(([path]) => path);
@@ -37,7 +37,7 @@ export function make_plot_tree(plots, { model, run }) {
     return true;
   };
 
-  /// The rows in sight: { key, level, text, port, path, is_open, has }; `path` only for a number.
+  /// The visible rows: { key, level, text, port, path, is_open, has }; `path` only for a number.
   const rows_of = () => {
     const wanted = words();
     const fits = (name) => wanted.every((word) => name.toLowerCase().includes(word));
@@ -100,7 +100,7 @@ export function make_plot_tree(plots, { model, run }) {
   };
   const fill_soon = at_most_every(200, () => is_shown && fill());
 
-  /// The ports in sight are watched, since their numbers are known only from a message.
+  /// Watches the ports in the visible rows, because their numbers are known only from a message.
   const watch = () => {
     const seen = rows.filter(({ level, path }) => level === 2 && path === undefined).map(({ key }) => key).slice(0, MOST_SURVEYED);
     model.watch("plot chooser", is_shown && seen.length > 0 ? model.wanted(seen) : null);

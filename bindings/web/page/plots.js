@@ -5,19 +5,19 @@ import { to_csv, to_svg } from "./plot_files.js";
 import { make_plot_tree } from "./plot_tree.js";
 import { T } from "./texts.js";
 
-const KEPT = 300;  // s
+const KEPT = 300;  // s of data that are kept
 const WINDOW = 60;  // s shown
 const MOST_ROWS = 12000;
 const STEP = 0.04;  // s between two rows
 const MOST_FIELDS = 12;
-const PLACES = ["pose.position.x", "pose.position.y", "pose.heading"];  // of a robot's truth, as the time line has them
+const PLACES = ["pose.position.x", "pose.position.y", "pose.heading"];  // the numbers of a robot's truth that the time line has
 
 /// The data of a plot: rows [time, value of the first field, ...], null without a value.
 class Recording {
   fields = [];  // { port, path }
   rows = [];
-  has_all = false;  // keeps everything since the start
-  ghost = [];  // rows of before time went back
+  has_all = false;  // the rows have everything since the start, and old ones are kept
+  ghost = [];  // the rows from before time went back
 
   get names() {
     return this.fields.map(({ port, path }) => (path.startsWith("[") || !path ? port + path : `${port}.${path}`));
@@ -34,7 +34,8 @@ class Recording {
     if (this.fields.length === 0) this.clear();
   }
 
-  /// Fills in the numbers of a field from before it was chosen: [[time, number], ...], each valid until the next one.
+  /// Fills in the earlier numbers of a field, from before it was chosen: `samples` is [[time, number], ...], each valid
+  /// until the next one.
   fill(index, samples) {
     let at = -1;
     for (const row of this.rows) {
@@ -58,7 +59,7 @@ class Recording {
     this.rows.length = this.ghost.length = 0;
   }
 
-  /// What is drawn: the rows, and beside them those of before time went back.
+  /// The data to draw: the rows, and also, dashed, the rows from before time went back.
   drawn() {
     if (this.ghost.length === 0) return { names: this.names, rows: this.rows.slice(), dashed: [] };
     const none = this.fields.map(() => null);
@@ -86,7 +87,7 @@ class Recording {
   }
 }
 
-/// Of a run that is over: the rows of the whole run.
+/// The data of a plot for a recorded run: the rows of the whole run.
 class WholeRecording extends Recording {
   #run;
 
@@ -175,7 +176,7 @@ class Plots {
     else this.add(port, path);
   }
 
-  /// What the engine remembers of a port from before it was chosen.
+  /// Takes the earlier values of a port, from before it was chosen.
   #take_history({ port, labels, values, rows }) {
     if (!port) return;
     const { system, frame } = this.#parts.model;
@@ -202,7 +203,7 @@ class Plots {
     this.#changed();
   }
 
-  /// Shows the values at a time of the past; none without.
+  /// Shows the values at a past time; without a time, shows none.
   #look(time) {
     if (time === undefined) {
       this.#graph?.clearSelection();
@@ -215,7 +216,7 @@ class Plots {
     this.on_values?.(time, new Map(names.map((name, i) => [name, rows[index][i + 1]])));
   }
 
-  /// Has the engine compute what was before the rows.
+  /// Asks the engine to compute the values before the first row.
   ask_earlier() {
     this.#range = null;
     for (const port of new Set(this.recording.fields.map((each) => each.port))) this.#parts.acts.earlier(port);

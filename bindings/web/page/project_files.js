@@ -1,11 +1,11 @@
-// The allowed content of another person's project: files with plain names within it.
+// Checks the files of another person's project: only files with plain names within the project are allowed.
 
 const MOST_FILES = 500;
 const ENDINGS = /\.(lua|csv|png|msg|idl|txt|md)$/;
 
 export const is_name = (name) => name.length < 200 && ENDINGS.test(name) && name.split("/").every((part) => /^[\w.+@ -]+$/u.test(part) && !/^\.+$/.test(part));
 
-/// The same files, or an error. A content is a text or { base64 }.
+/// Returns the files, or throws an error. The content of a file is a text or { base64 }.
 export function checked_files(files) {
   const names = Object.keys(files ?? {});
   if (names.length === 0 || names.length > MOST_FILES) throw new Error(`${names.length} files`);
@@ -19,7 +19,7 @@ export function checked_files(files) {
   return checked;
 }
 
-/// The files that hold a system: in behaviors/systems, or all of behaviors if there are none.
+/// The system files of a project: those in behaviors/systems, or, if there are none, all files in behaviors.
 export function systems_in(files) {
   const all = Object.keys(files).filter((name) => name.endsWith(".lua")).sort();
   const within = all.filter((name) => name.startsWith("behaviors/systems/"));

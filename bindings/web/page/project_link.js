@@ -4,7 +4,7 @@ import { checked_files } from "./project_files.js";
 
 export const MOST = 8192;  // bytes of text
 
-/// The fragment; an error above `MOST`.
+/// The fragment for a project. Throws an error if it would be longer than `MOST`.
 export async function to_fragment({ name, system, files }) {
   const text = JSON.stringify({ name, system, files });
   if (Object.values(files).some((content) => typeof content !== "string")) throw new Error("pictures do not fit into a link");
@@ -14,7 +14,7 @@ export async function to_fragment({ name, system, files }) {
   return `#code=${to_base64url(await deflate(bytes))}`;
 }
 
-/// The project of another person: nothing of it is trusted.
+/// Reads the project of another person. Its content is not trusted, so it is checked.
 export async function from_fragment(code) {
   const bytes = await inflate(from_base64url(code), 4 * MOST);
   const { name, system, files } = JSON.parse(new TextDecoder().decode(bytes));

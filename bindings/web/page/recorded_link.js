@@ -1,4 +1,4 @@
-// Plays a recorded run: takes the place of the link to an engine. It can be seen at any time and speed, and not changed.
+// Plays a recorded run, in place of the link to an engine. The run can be seen at any time and speed, but not changed.
 import { Emitter } from "./emitter.js";
 
 const TURN = 33;  // ms
@@ -14,7 +14,7 @@ export class RecordedLink extends Emitter {
   #speed = 1;
   #is_running = true;
   #starts = 1;
-  #told = "";  // which description of the system
+  #told = "";  // the number of the description of the system that was sent last
   #turned = 0;
 
   constructor(run) {

@@ -1,6 +1,6 @@
-// A past run of numbers, as `nezumi share --light` writes it: rows [frame, number, ...], each valid until the next one.
+// A recorded run, as `nezumi share --light` writes it. Values are rows [frame, number, ...], each valid until the next row.
 
-const MOST_ROWS = 1500;  // of a time line
+const MOST_ROWS = 1500;  // most rows of a time line
 
 /// The last row at or before a frame.
 function row_at(rows, frame) {
@@ -40,7 +40,7 @@ export class RecordedRun {
 
   time = (frame) => this.#run.times[frame];
 
-  /// The frame at a time [s], or the last one before it.
+  /// The number of the last frame at or before a time [s].
   frame_at(time) {
     const { times } = this.#run;
     let [low, high] = [0, times.length];
@@ -52,7 +52,7 @@ export class RecordedRun {
     return Math.max(0, low - 1);
   }
 
-  /// Which description of the system is that at a frame.
+  /// The number of the description of the system that is valid at a frame.
   system_number = (frame) => Math.max(0, this.#run.systems.findLastIndex((each) => each.frame <= frame));
   system = (frame) => this.#run.systems[this.system_number(frame)].system;
 
@@ -60,7 +60,7 @@ export class RecordedRun {
     return Object.entries(tracks).map(([index, rows]) => [Number(index), row_at(rows, frame)]).filter(([, row]) => row).map(([index, row]) => make(index, row));
   }
 
-  /// Where everything is at a frame, in the form of the engine's frames.
+  /// The poses of all objects at a frame, in the form of the engine's frames.
   state(frame) {
     const { robots, things, markers, rays, touched } = this.#run;
     return {
@@ -86,7 +86,7 @@ export class RecordedRun {
     return Object.fromEntries(row.slice(1).map((number, i) => [leaves[i], number]));
   }
 
-  /// Rows [time, value, ...] of these { port, path } over the whole run.
+  /// Rows [time, value, ...] of the fields { port, path } over the whole run.
   rows_of(fields) {
     const tracks = fields.map(({ port, path }) => {
       const track = this.#run.values[port];
@@ -95,7 +95,7 @@ export class RecordedRun {
     return this.#run.times.map((time, frame) => [time, ...tracks.map(({ rows, column }) => (column < 0 ? null : row_at(rows, frame)?.[column + 1] ?? null))]);
   }
 
-  /// What an engine remembers of its branch, for the time line.
+  /// The history of the branch in the form in which an engine sends it, for the time line.
   remembered(branch) {
     const { times, robots, things, marks } = this.#run;
     const tracks = Object.values(robots);

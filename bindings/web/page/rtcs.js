@@ -5,10 +5,11 @@ const PREFIX = "rtm:";
 const key_of = ({ from, to }) => `${from} ${to}`;
 
 export const is_rtc = (name) => name.startsWith(PREFIX);
-/// As requests of RTCs name it.
+/// The name of an RTC without "rtm:", as requests to RTCs need it.
 export const without_prefix = (name) => name.slice(PREFIX.length);
 
-/// The one name of an RTC, for the several that a system file may use: short if it is on this computer.
+/// A system file may use several names for an RTC. Returns the name that the diagram uses: short if the RTC is on this
+/// computer.
 function known_name(name, boxes, context) {
   if (!is_rtc(name)) return name;
   const own = `${PREFIX}${context}/`;
@@ -18,8 +19,8 @@ function known_name(name, boxes, context) {
   return elsewhere.length === 1 ? elsewhere[0] : name;
 }
 
-/// { boxes, connections }: all components, and all connections: { from, to, given? }. `given` are the names of one that
-/// is the system's. An RTC that a connection waits for is MISSING.
+/// { boxes, connections }: all components, and all connections { from, to, given }. `given` has the names in the system's
+/// own connection; null for a connection that only the RTCs have. An RTC that a connection waits for is MISSING.
 export function with_rtcs(components, system, rtcs) {
   const boxes = new Map((rtcs?.rtcs ?? []).map(({ ports, ...rest }) =>
     [rest.name, { kind: "rtc", ...rest, ports: ports.map((port) => ({ doc: "", waits: false, ...port })) }]));
@@ -47,7 +48,7 @@ export function with_rtcs(components, system, rtcs) {
   return { boxes: [...components, ...boxes.values()], connections: [...connections.values()] };
 }
 
-/// Whether two ports carry the same messages, if at least one of them is an RTC's; ours must be exported.
+/// For two ports, at least one of an RTC: whether their message types are equal. A port of ours must be exported to RTCs.
 export function carries_same(rtcs, one, other) {
   const type_of = ([name, { component, type }]) => (component.kind === "rtc" ? type : rtcs?.ports[name]);
   const [a, b] = [type_of(one), type_of(other)];

@@ -1,11 +1,11 @@
-// The scenarios of the project: a list, runs beside the system, results with margins, and the failed ones to open.
+// The scenarios of the project: lists them, runs them beside the system, shows results with margins, and opens failed runs.
 import { el } from "./dom.js";
 import { make_judge } from "./judge.js";
 import { read_coverage, read_report } from "./tap.js";
 import { T } from "./texts.js";
 
 const SIGNS = { passed: "✔", failed: "✖", runs: "…", skipped: "–", "": "·" };
-const PATIENCE = 30000;  // ms, for the list, and for the page of a failed run
+const PATIENCE = 30000;  // ms to wait for the list, and for the page of a failed run
 
 export function make_scenarios(parts) {
   const { link, model, notices } = parts;
@@ -25,7 +25,7 @@ export function make_scenarios(parts) {
   const key = ({ file, name }) => `${file}: ${name}`;
   /// Shows a run in a page of its own.
   const open_page = async (wanted, button) => {
-    const tab = window.open("about:blank", "_blank");  // by the click; later a browser refuses it
+    const tab = window.open("about:blank", "_blank");  // must be opened during the click: later the browser refuses it
     button.disabled = true;
     const { ok, text, content } = await link.ask({ do: "test", ...wanted }, PATIENCE);
     button.disabled = false;
@@ -36,7 +36,7 @@ export function make_scenarios(parts) {
       notices.say(text || T.link.no_answer, "error");
     }
   };
-  const made = new Map();  // rows that are shown: a row is not made again under a person's pointer
+  const made = new Map();  // the shown rows, which are used again, so that a row does not change under the pointer
   const row_of = (each) => {
     const now = JSON.stringify([each, results.get(key(each))]);
     if (made.get(key(each))?.now !== now) made.set(key(each), { now, node: make_row(each) });

@@ -1,4 +1,4 @@
-// The page of a run in one file: the engine repeats its journal, and goes on from any moment of it.
+// The page of a run in one file: the engine repeats the journal of the run, and can continue from any moment.
 import { EngineWorker } from "./engine_worker.js";
 import { Link } from "./link.js";
 import { make_page } from "./page.js";

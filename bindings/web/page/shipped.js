@@ -3,7 +3,7 @@
 const SYSTEMS = "behaviors/systems/";
 const names_in = (text) => [...text.matchAll(/["']([\w./-]+)["']/g)].map(([, name]) => name);
 
-/// The files that a file names, and those that they name. Others stay among the installed files.
+/// The file with all files that it names, directly or through others. Other files stay among the installed ones.
 function with_named(shipped, file, found = {}) {
   if (typeof shipped[file] !== "string" || found[file] !== undefined) return found;
   found[file] = shipped[file];
@@ -22,5 +22,5 @@ export const about = (text) => (/^(?:---? ?.*\n)+/.exec(text)?.[0] ?? "").replac
 export const shipped_systems = (shipped) => Object.keys(shipped).filter((file) => file.startsWith(SYSTEMS) && file.endsWith(".lua"))
   .map((file) => ({ name: file.slice(SYSTEMS.length, -4), file, text: about(shipped[file]), runs: !needs_camera(shipped[file]) }));
 
-/// A project without an id: nothing is kept of it yet.
+/// A project without an id, because the browser has not stored it yet.
 export const shipped_project = (shipped, name) => ({ name, system: `${SYSTEMS}${name}.lua`, files: with_named(shipped, `${SYSTEMS}${name}.lua`) });

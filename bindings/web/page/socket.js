@@ -50,7 +50,7 @@ export class Socket extends Emitter {
     this.#socket.send(text);
   }
 
-  /// After sleep or a network failure nothing closes the connection automatically.
+  /// Closes the connection if nothing came for a while: after sleep or a network failure, the browser does not close it.
   #give_up_on_silence() {
     if (!this.is_open || performance.now() - this.#heard < LONGEST_SILENCE) return;
     const silent = this.#socket;
@@ -68,7 +68,7 @@ export class Socket extends Emitter {
     this.emit("lost", was_open ? "closed" : await this.#why_refused(), wait);
   }
 
-  /// If the server gives the page's files but refuses the connection, the token is wrong.
+  /// The reason of a refusal: if the server serves the page's files but refuses the connection, the token is wrong.
   async #why_refused() {
     try {
       return (await fetch("/index.html", { method: "GET", cache: "no-store" })).ok ? "refused" : "away";

@@ -1,12 +1,12 @@
-// The borders between the groups of views: dragged, moved by arrow keys, put back by a double click.
+// The borders between the groups of views. They can be dragged, moved with arrow keys, and reset with a double click.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
-const STEP = 24;  // px, of an arrow key
-const LEAST = 90;  // px
+const STEP = 24;  // px for each press of an arrow key
+const LEAST = 90;  // px, smallest size of a group
 
-/// Borders of `main` that set its style properties --dock (the dock's height) and --side (the width of the side), kept in
-/// this browser. `moved(name)`: a person moved this one.
+/// Makes the borders of `main`. They set its style properties --dock (height of the dock) and --side (width of the side),
+/// which this browser keeps. `moved(name)` is called when a person has moved a border.
 export function make_splits(main, moved) {
   const kept = JSON.parse(localStorage.getItem("nezumi.splits") ?? "{}");
   const make = (name, is_row) => {

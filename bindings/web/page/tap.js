@@ -1,7 +1,7 @@
-// Reads what `nezumi test` writes: its report (--tap), also while it is not complete, and its coverage.
+// Reads the output of `nezumi test`: its report (--tap), also an incomplete one, and its coverage.
 
 /// [{ file, name, state, message, lines, folder }, ...]: `lines` are the margins of a passed run, or the details of a failed
-/// one; `folder` keeps a failed run.
+/// one; `folder` has the files of a failed run.
 export function read_report(text) {
   const results = [];
   let in_details = false;
@@ -9,7 +9,7 @@ export function read_report(text) {
     const found = /^(not )?ok \d+ - ([^:]+): (.*?)( # SKIP.*)?$/.exec(line);
     const last = results.at(-1);
     if (found) results.push({ file: found[2], name: found[3], state: found[4] ? "skipped" : found[1] ? "failed" : "passed", message: "", lines: [], folder: "" });
-    else if (/^# seed \d+, /.test(line)) break;  // what follows is about all of them
+    else if (/^# seed \d+, /.test(line)) break;  // the rest of the report is about all scenarios
     else if (!last) continue;
     else if (line === "  ---") in_details = true;
     else if (line === "  ...") in_details = false;

@@ -10,7 +10,7 @@ export const EN = {
   view_only: "view only",
   watching: "a run that is only watched",
   systems: { hint: "Systems that run on this machine", here: "this page", process: (id) => `process ${id}`,
-    about: "Through a tunnel, make one for each." },
+    about: "Over a tunnel (ssh -L), each system needs its own tunnel." },
   share: { hint: "Copy a view-only address", copied: "Copied. This address shows everything but controls nothing.",
     here: (address) => `View-only address: ${address}` },
   theme: { label: "Colours", auto: "Automatic", light: "Light", dark: "Dark" },
@@ -42,7 +42,7 @@ export const EN = {
 
   past: { not_remembered: "not remembered", label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
     of: (time, end) => `${time} of ${end}`, is_past: "past", hint: "What followed happens again when time runs. Every change begins a new branch.",
-    is_away: "past, alone", conditions: "Conditions of the scenario", mark: (time, text) => `${time}: ${text}`,
+    is_away: "past, others wait", conditions: "Conditions of the scenario", mark: (time, text) => `${time}: ${text}`,
     keys: "Drag, or arrow keys; Page Up and Page Down go to the next and the last mark" },
 
   world: {
@@ -115,7 +115,7 @@ export const EN = {
     failed_hint: "Show the execution that failed",
     which: "Behaviour", look: "Explain", look_hint: "Look at an execution, line by line: the next one; while time is paused, the last one", follow: "Repeat",
     about: "Choose a robot in the world, or a behaviour here: one of its executions is shown, from its sensor values to the commands of its wheels.",
-    none: "none", no_lines: "No line of Lua ran.", cut: "… and more lines", turns: (count) => `… ${count} more turns`,
+    none: "none", no_lines: "No line of Lua ran.", cut: "… and more lines", turns: (count) => `… ${count} more rounds of the loop`,
     paused: "Time is paused: press Step to execute it.",
     when: (name, at, tick) => `${name} at ${at} s, tick ${tick}`,
     inputs: "Inputs", lines: "Executed lines with their values", outputs: "Outputs",
@@ -130,7 +130,7 @@ export const EN = {
     hint: (file) => `Changes are written into ${file}, and the system starts again.`, written: (file) => `Written into ${file}.`,
     full: "There is no free place near the middle of the view: move the view.",
     no_file: "The system file is not within the project: it can't be changed here.", changed: "Another program has changed the file: look at it, and try again.",
-    no_call: (line) => `Line ${line} of the file has no such call: it is made by a map or a function. Edit the text.`,
+    no_call: (line) => `Line ${line} of the file has no such call: a map or a function makes this thing. Edit the text.`,
     loop: (line) => `Line ${line} of the file makes several things, as in a loop. Edit the text.`,
     no_robot: (name) => `The file does not contain exactly one robot "${name}" { ... }. Edit the text.`, no_place: (name) => `No line of the file contains ${name}.`,
     not_number: (name) => `'${name}' is computed, or missing. Edit the text.`, choose: "Select the thing to remove.",
@@ -139,7 +139,7 @@ export const EN = {
 
   scenarios: {
     one: "Scenario",
-    run_all: "Run all", run: "Run", run_one: (name) => `Run ${name}`, stop: "Stop these", look: "Look again", open: "Open", open_hint: "Open this run, paused where it failed",
+    run_all: "Run all", run: "Run", run_one: (name) => `Run ${name}`, stop: "Stop these", look: "Refresh", open: "Open", open_hint: "Open this run, paused where it failed",
     watch: "Watch", watch_one: (name) => `Watch ${name} run, at the speed of the clock`,
     none: "This project has no scenarios. A scenario file has a name that ends in _test.lua.", count: (n) => (n === 1 ? "1 scenario" : `${n} scenarios`),
     running: (n) => `running, ${n} done`, ended: (passed, failed) => `${passed} passed, ${failed} failed`,
@@ -213,7 +213,7 @@ export const EN = {
 
   playground: {
     title: "Playground", about: "Robots that run in this page: change their programs, break them, repair them. Nothing is sent anywhere; what you save stays in this browser.",
-    kept: "Your projects", shipped: "Systems", no_cameras: "Needs a camera, which nezumi in a page does not have.", no_system: "it contains no system",
+    kept: "Your projects", shipped: "Systems", no_cameras: "Needs a camera, which nezumi in a web page does not have.", no_system: "it contains no system",
     import: "Open a project (.zip):", not_imported: (why) => `Not opened: ${why}`, not_opened: (why) => `This address does not contain a project that can be opened: ${why}`,
     forget: "Forget", forget_question: (name) => `Forget ${name} and all of its files?`,
     link: "Link", link_hint: "Copy an address that holds the whole project", link_copied: (n) => `Copied: an address of ${n} characters holds the project.`,

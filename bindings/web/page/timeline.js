@@ -1,10 +1,10 @@
-// The time line of a run: a slider over what has happened, its marks, and the branches.
+// The time line of a run: a slider over the past time, with marks, and the branches.
 import { at_most_every, el } from "./dom.js";
 import { T } from "./texts.js";
 
-const NEWS = 2000;  // ms between two questions for marks
+const NEWS = 2000;  // ms between two requests for marks
 
-/// Small signs over the slider, one for each mark: { at, kind, text }.
+/// Makes the small signs over the slider, one for each mark { at, kind, text }.
 function make_marks(go) {
   const node = el("div", { class: "marks" });
   let shown = "";
@@ -21,7 +21,7 @@ function make_marks(go) {
   return { node, show };
 }
 
-/// The conditions of a failed scenario as rows; one that names a time leads there.
+/// The conditions of a failed scenario as rows. A click on a row that names a time goes to this time.
 function make_conditions(model, go) {
   const node = el("ul", { class: "conditions", hidden: true, "aria-label": T.past.conditions });
   model.on("hello", () => {
@@ -73,7 +73,7 @@ export function make_timeline({ model, acts, tracks }) {
     sign.hidden = now.hidden = !is_past && !(is_real() && held);
     sign.textContent = past()?.away ? T.past.is_away : T.past.is_past;
   });
-  /// Shows where robots were, and remembered values; nothing is computed.
+  /// Shows poses and values of a past time that are remembered; nothing is computed.
   const look = (time) => {
     held = true;
     slider.value = time;

@@ -1,10 +1,10 @@
-// What went wrong: in the bar, as notices, at the tabs that tell more, and for the world at its robots.
+// Shows errors: in the bar, as notices, at the tabs with details, and at the robots in the world.
 import { el } from "./dom.js";
 import { place_in } from "./editor.js";
 import { T } from "./texts.js";
 import { owner_of } from "./port_name.js";
 
-const QUIET = 1000;  // ms after the connection began: the log's older lines make no notices
+const QUIET = 1000;  // ms after the connection began: log lines that arrive in this time are old, and make no notices
 
 /// The components in ERROR: [{ name, error }, ...].
 const failed = (model) => (model.system?.components ?? []).filter(({ state }) => state === "ERROR");

@@ -1,9 +1,9 @@
-// The first script of a page of one file: unpacks the others, the run, and the engine if there is one.
+// The first script of a page in one file: unpacks the other scripts, the run, and the engine if there is one.
 "use strict";
 (async () => {
   const text_of = (id) => document.getElementById(id).textContent;
   const of_base64 = (text) => Uint8Array.from(atob(text), (each) => each.charCodeAt(0));
-  /// Of seven bits a letter (bindings/wasm/bundle).
+  /// Decodes text with seven bits in each character, as bindings/wasm/bundle writes it.
   const of_letters = (text) => {
     const bytes = new Uint8Array(Math.floor((text.length * 7) / 8));
     for (let i = 0, at = 0, bits = 0, count = 0; i < text.length; ++i) {

@@ -7,7 +7,7 @@ const is_number = (type) => is_whole(type) || type.startsWith("number");
 const element_type = (type) => type.replace(/s$/, "");
 const is_given = (bound) => bound !== null && bound !== undefined;
 
-/// Returns "", or why this text is not a value for the parameter.
+/// Returns the reason why this text is not a value for the parameter, or "" if it is one.
 export function what_is_wrong({ type, min, max }, text) {
   const value = Number(text);
   if (text.trim() === "" || !Number.isFinite(value)) return T.parameters.not_a_number;
@@ -118,7 +118,7 @@ function choice({ options }, label, set) {
   } };
 }
 
-/// Values in a column that can be moved, removed and added.
+/// The widget for an array: values in a column that can be moved, removed and added.
 function list(parameter, label, set) {
   const { options = [], min_size, max_size } = parameter;
   const one = { ...parameter, type: element_type(parameter.type) };

@@ -1,22 +1,22 @@
-// The engine's thread: takes the page's messages, and ticks when it is time.
-let program;  // is compiled while the page is still loaded
-if (typeof nezumi_engine === "undefined") {  // else all three are one file, and the program comes with the page
+// The engine's thread: handles the page's messages, and runs ticks when they are due.
+let program;  // the module, compiled while the page still loads
+if (typeof nezumi_engine === "undefined") {  // otherwise the three scripts are one file, and the page sends the program
   program = compiled();
   importScripts("nezumi.js", "engine_files.js");
 }
 
-const SLICE = 0.012;  // [s] of work until messages are looked at again
-const LOOK_PERIOD = 300;  // [ms] between two looks at the project's files
+const SLICE = 0.012;  // [s] of work before messages are handled again
+const LOOK_PERIOD = 300;  // [ms] between two checks of the project's files for changes
 
 let engine;
 let due = null;
 let looked = 0;
 const known = new Map();
 
-const soon = new MessageChannel();  // a timer of 0 ms waits for 4
+const soon = new MessageChannel();  // runs a turn immediately; a timer of 0 ms would wait 4 ms
 soon.port1.onmessage = go_on;
 
-/// Only one turn waits at a time.
+/// Runs the next turn after this time [ms]. Only one turn waits at a time.
 function go_on_after(ms) {
   clearTimeout(due);
   due = null;
@@ -36,7 +36,7 @@ function go_on() {
   else go_on_after(wait * 1000);
 }
 
-/// The helpers of the page make theirs of the same module.
+/// Sends the compiled module to the page, whose helpers make their engines from it.
 function instantiateWasm(imports, take) {
   program.then(async (module) => {
     postMessage({ module });
@@ -45,7 +45,7 @@ function instantiateWasm(imports, take) {
   return {};
 }
 
-/// Some servers do not know what kind of file it is.
+/// Compiles the program. Streaming needs the right content type, which some servers do not send.
 async function compiled() {
   const answer = await fetch("nezumi.wasm");
   if (answer.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(answer);
@@ -75,7 +75,7 @@ async function open({ start }) {
 
 onmessage = ({ data }) => {
   if (data.start) return open(data);
-  if (data.startsWith('{"do":"edit","what":"save"')) looked = 0;  // the helpers of the page read what was saved
+  if (data.startsWith('{"do":"edit","what":"save"')) looked = 0;  // checks the files soon, for the helpers
   engine.ccall("nezumi_receive", null, ["string"], [data]);
   clearTimeout(due);
   if (due !== null) go_on_after(0);

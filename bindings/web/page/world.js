@@ -12,8 +12,8 @@ import { Scene } from "./world_scene.js";
 import { make_tools } from "./world_tools.js";
 
 const MOST_NAMES = 40;
-const MOST_VALUES = 16;  // at the rays of one robot
-const NUDGES_JOIN = 500;  // ms
+const MOST_VALUES = 16;  // most values shown at the rays of one robot
+const NUDGES_JOIN = 500;  // ms: key presses closer than this are one move
 
 /// The theme's colours, from the style sheet.
 function theme_colors() {
@@ -87,12 +87,12 @@ class World {
   chosen = null;  // { kind, index }
   carried = null;  // { kind, index, pose }
   follows = false;
-  arena = null;  // edits the system file, once it was asked for
+  arena = null;  // edits the system file; null until the tools are opened
   #parts;
   #renderer = make_renderer(this.canvas);
   #is_asked = false;
   #is_shown = false;
-  #nudged = {};  // by keys: { what, when, pose }
+  #nudged = {};  // the last move by keys: { what, when, pose }
   #ghost = null;  // the other branch that is drawn
   #layout = "";
   #is_old = false;  // the picture must be rebuilt for a new description of the system
@@ -189,7 +189,7 @@ class World {
     return acts.move_marker(model.system.markers[what.index].name, pose);
   }
 
-  /// It stays where it was dropped until the engine has answered.
+  /// Drops the carried object. It stays where it was dropped until the engine has answered.
   async #drop() {
     const { carried } = this;
     if (!carried?.pose) return;
@@ -200,7 +200,7 @@ class World {
     }, 60);
   }
 
-  /// Continues from the last position set by keys, even if the engine has not confirmed it.
+  /// Moves the chosen object by keys: from the last position set by keys, even if the engine has not confirmed it.
   #nudge([dx, dy], turn) {
     const { what, when, pose: wished } = this.#nudged;
     const pose = what === this.chosen && performance.now() - when < NUDGES_JOIN ? wished : this.pose_of(this.chosen);
@@ -230,7 +230,7 @@ class World {
     this.draw();
   }
 
-  /// Another branch is asked for when the present one, or its past, has begun.
+  /// Updates which other branch is drawn pale: requests its data, or removes the drawing if there is none.
   #look_for_ghosts() {
     const ghost = ghost_of(this.#parts.model.system?.past);
     if (JSON.stringify(ghost) === JSON.stringify(this.#ghost)) return;
@@ -325,7 +325,7 @@ class World {
   }
 }
 
-/// A place slightly beyond the end of a ray, so that neighbouring labels do not overlap.
+/// A point slightly beyond the end of a ray, so that neighbouring labels do not overlap.
 function beyond(from, to) {
   const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
   const more = 0.02 + 0.25 * length;

@@ -12,7 +12,7 @@ export class Eye {
   azimuth = -Math.PI / 2;
   height = 0.9;  // rad above the horizon
   is_top = false;
-  shows_all = false;  // a person has not moved it since
+  shows_all = false;  // no person has moved the camera since all was shown
   #size = [1, 1];
   #ray = new THREE.Raycaster();
 
@@ -33,7 +33,7 @@ export class Eye {
     this.height = Math.min(Math.PI / 2 - 0.001, Math.max(LOWEST, this.height + dy * 0.006));
   }
 
-  /// Moves by these pixels: the point under the pointer stays there.
+  /// Moves the camera by these pixels, so that the point under the pointer stays under it.
   move(dx, dy) {
     this.shows_all = false;
     const metres = (2 * this.distance * Math.tan((this.camera.fov / 2) * (Math.PI / 180))) / this.#size[1];
@@ -74,7 +74,7 @@ export class Eye {
     return this.#ray.ray;
   }
 
-  /// Its intersection with the plane `z`, or null.
+  /// The point where the ray through this pixel meets the plane at height `z`, or null.
   on_floor(x, y, z = 0) {
     const { origin, direction } = this.ray(x, y);
     const t = (z - origin.z) / direction.z;

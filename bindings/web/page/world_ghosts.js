@@ -1,4 +1,4 @@
-// The robots and trails of another branch of the run, pale.
+// Draws the robots and trails of another branch of the run in pale colours.
 import * as THREE from "./lib/three/three.module.js";
 import { matrix_of } from "./world_shapes.js";
 
@@ -10,7 +10,7 @@ const scratch = new THREE.Matrix4();
 export class Ghosts {
   lines = new THREE.LineSegments(new THREE.BufferGeometry(),
     new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors, transparent: true, opacity: PALE }));
-  count = 0;  // robots drawn
+  count = 0;  // number of robots
   #meshes = [];  // { mesh, members } of each kind of robot
   #tints = [];
 
@@ -27,7 +27,7 @@ export class Ghosts {
     for (const { mesh } of this.#meshes) mesh.visible = false;
   }
 
-  /// The ways of the robots in these rows, from a time [s] on.
+  /// Draws the trails of the robots in these rows, from a time [s] on.
   draw_ways(rows, from) {
     const points = [];
     const colors = [];
@@ -48,7 +48,7 @@ export class Ghosts {
     this.lines.visible = points.length > 0;
   }
 
-  /// Draws the robots at these places; none without.
+  /// Draws the robots at these poses; without poses, draws none.
   place(poses = []) {
     this.count = 0;
     for (const { mesh, members } of this.#meshes) {

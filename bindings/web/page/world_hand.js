@@ -4,8 +4,8 @@ import { BORDER } from "./world_scene.js";
 const CLICK = 5;  // px: a shorter movement is a click
 const NUDGE = 0.02;  // m
 const TURN = Math.PI / 36;
-const EDGE = 0.01;  // m added around thin objects
-const REACH = 14;  // px added around small objects
+const EDGE = 0.01;  // m added around thin objects to make them easier to pick
+const REACH = 14;  // px added around small objects to make them easier to pick
 
 /// `asks`: { eye, scene, model, may_act(), choose(kind, index), carry(kind, index, pose), drop(), changed(), chosen()
 /// }.

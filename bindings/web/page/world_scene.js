@@ -12,7 +12,7 @@ export const BORDER = "wall";
 const shaded = () => new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors });
 const hidden = new THREE.Matrix4().makeScale(0, 0, 0);
 
-/// A round shadow, or a ring: one texture, drawn below robots.
+/// A texture for a round shadow or a ring, drawn below robots.
 function disc_texture(paint) {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 128;
@@ -46,10 +46,10 @@ export class Scene {
   trails = new Trails();
   ghosts = new Ghosts();
   #colors = {};
-  #tints = {};  // of rays
+  #tints = {};  // colours of rays
   #made = [];  // objects made for this system
   #groups = [];  // robots of one model: { mesh, members }
-  #solids = [];  // of one shape and colour: { mesh, members }
+  #solids = [];  // objects of one shape and colour: { mesh, members }
   #discs = {};
 
   constructor() {
@@ -82,7 +82,7 @@ export class Scene {
     return object;
   }
 
-  /// Builds everything for a new layout, at the present places.
+  /// Builds all objects for a new layout, at their present poses.
   build({ arena = {}, robots = [], markers = [] }, now) {
     for (const object of this.#made.splice(0)) {
       this.three.remove(object);
@@ -200,7 +200,7 @@ export class Scene {
     this.marker_mesh = this.#add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ map: texture, side: THREE.DoubleSide })));
   }
 
-  /// Moves everything to its present place. `chosen`: a robot's index.
+  /// Moves all objects to their present poses. `chosen`: the index of a robot.
   update({ robots, things, markers, rays }, { chosen, shows_rays, carried }) {
     const at = (index) => (carried?.kind === "robot" && carried.index === index ? { ...robots[index], ...carried.pose } : robots[index]);
     for (const { mesh, members } of this.#groups) {
@@ -262,7 +262,7 @@ export class Scene {
     const { position } = this.marker_mesh.geometry.attributes;
     this.marker_specs.forEach(({ size }, i) => {
       matrix_of(this.marker_pose(markers, i, carried), undefined, scratch);
-      const half = size * 0.625;  // with its white edge
+      const half = size * 0.625;  // half of the marker with its white border
       [[1, -1], [-1, -1], [-1, 1], [1, 1]].forEach(([y, z], k) => {
         corner.set(0, -y * half, z * half).applyMatrix4(scratch);
         position.setXYZ(4 * i + k, corner.x, corner.y, corner.z);
@@ -271,7 +271,7 @@ export class Scene {
     position.needsUpdate = true;
   }
 
-  /// Points where robots touch something.
+  /// Draws the points where robots touch something.
   #update_contacts(points) {
     const { position } = this.contacts.geometry.attributes;
     const count = Math.min(points.length, MOST_CONTACTS);

@@ -34,7 +34,7 @@ export const unit_box = new THREE.BoxBufferGeometry(1, 1, 1);
 export const unit_cylinder = new THREE.CylinderBufferGeometry(0.5, 0.5, 1, 32).rotateX(Math.PI / 2);
 const wheel = new THREE.CylinderBufferGeometry(1, 1, 1, 24);  // its axis along y
 
-/// The objects of an arena, in the engine's order: [{ geometry, scale, color }]. Their places come with each frame.
+/// The objects of an arena, in the engine's order: [{ geometry, scale, color }]. Their poses come with each frame.
 export function solids_of(arena) {
   return (arena.things ?? []).map(({ shape, size, color }) =>
     ({ geometry: shape === "cylinder" ? unit_cylinder : unit_box, scale: size, color }));
@@ -90,7 +90,7 @@ function rounded_box(l, w, h) {
   return geometry.translate(0, 0, -(h - 2 * bevel) / 2);
 }
 
-/// One texture with all markers, and the place of each in it: [u0, v0, u1, v1].
+/// One texture with all markers, and the area of each marker in it: [u0, v0, u1, v1].
 export function marker_atlas(markers) {
   const columns = Math.ceil(Math.sqrt(markers.length)) || 1;
   const cell = 64;

@@ -1,4 +1,4 @@
-// The tools of the world's view: what is selected and shown, and the tools that edit the arena.
+// The tools of the world's view: they choose the selected object and what is shown, and edit the arena.
 import { at_most_every, el } from "./dom.js";
 import { T } from "./texts.js";
 import { BORDER } from "./world_scene.js";
@@ -13,7 +13,7 @@ const toggle = (text, is_on, set) => {
   return button;
 };
 
-/// The button that begins to edit the arena, and its tools, which are loaded then.
+/// The button that starts editing the arena, and the tools for this, which are loaded at the first use.
 function make_arena_tools(world, parts) {
   const place = el("div", {});
   const button = toggle(T.arena.edit, false, async (is_on) => {
@@ -31,7 +31,7 @@ function make_arena_tools(world, parts) {
     world.arena.remove();
     event.preventDefault();
   });
-  // Wherever the focus is after a button was pressed, but not in a text, which has an undo of its own.
+  // Ctrl-Z works with any focus, except in a text field, which has its own undo.
   addEventListener("keydown", (event) => {
     const is_undo = event.key === "z" && (event.ctrlKey || event.metaKey);
     if (!is_undo || !world.arena?.is_on || !world.canvas.offsetParent || event.target.closest?.("input, textarea, .CodeMirror")) return;

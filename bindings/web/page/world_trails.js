@@ -38,7 +38,7 @@ export class Trails {
     this.lines.geometry.setDrawRange(0, 0);
   }
 
-  /// Takes the robots' places at a time [s].
+  /// Adds the robots' positions at a time [s].
   follow(robots, time) {
     const passed = time - this.#time;
     const farthest = passed < LONGEST ? 2 * STEP + FASTEST * passed : 0;
@@ -66,7 +66,7 @@ export class Trails {
     const begin = this.#drawn % this.#room;
     const range = begin + fresh <= this.#room ? { offset: begin * 6, count: fresh * 6 } : { offset: 0, count: -1 };
     for (const attribute of Object.values(this.lines.geometry.attributes)) {
-      attribute.updateRange = { ...range };  // the renderer resets it
+      attribute.updateRange = { ...range };  // set again, because the renderer resets it
       attribute.needsUpdate = true;
     }
     this.lines.geometry.setDrawRange(0, 2 * Math.min(this.#count, this.#room));

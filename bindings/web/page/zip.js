@@ -4,7 +4,7 @@ import { is_name } from "./project_files.js";
 
 const MOST_BYTES = 1 << 24;
 const LOCAL = 0x04034b50, CENTRAL = 0x02014b50, END = 0x06054b50;
-const DEFLATED = 8, UTF8 = 0x0800, TEXT_DATE = 0x21;  // 1980-01-01: the same project gives the same archive
+const DEFLATED = 8, UTF8 = 0x0800, TEXT_DATE = 0x21;  // always 1980-01-01: equal projects give equal archives
 
 const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, n) => {
   for (let k = 0; k < 8; ++k) n = n & 1 ? 0xedb88320 ^ (n >>> 1) : n >>> 1;
@@ -12,7 +12,7 @@ const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, n) => {
 });
 const crc_of = (bytes) => ~bytes.reduce((crc, each) => CRC_TABLE[(crc ^ each) & 255] ^ (crc >>> 8), -1) >>> 0;
 
-/// A record of numbers, each [value, bytes].
+/// The bytes of a record. Each number is given as [value, size in bytes].
 function record(...numbers) {
   const bytes = new Uint8Array(numbers.reduce((sum, [, size]) => sum + size, 0));
   let at = 0;
@@ -41,7 +41,8 @@ export async function write_zip(files) {
   return new Blob([...parts, ...central, record([END, 4], [0, 2], [0, 2], [count, 2], [count, 2], [size, 4], [at, 4], [0, 2])], { type: "application/zip" });
 }
 
-/// The files of an archive by name; those that a project has no use for are left out. A folder that holds everything is dropped.
+/// The files of an archive by name, without files that a project can't use. A folder that contains all files is removed
+/// from the names.
 export async function read_zip(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   let end = bytes.length - 22;

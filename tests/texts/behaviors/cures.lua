@@ -21,7 +21,7 @@ end
 local near = input("near", "TimedShortSeq")
 function on_execute()
 if near:read() > 30 then print("near") end
--- error: attempt to compare number with table: a list has elements: list[1] is the first
+-- error: attempt to compare number with table: a list is not a number: list[1] is its first element
 end
 
 --- A port is not its value.

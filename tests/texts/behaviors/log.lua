@@ -28,4 +28,4 @@ about { version = 1 }  -- error: about: option 'version' expected a string, got 
 
 about 'me'  -- error: about expected a table, got string
 
-about {} about {}  -- error: about is given twice
+about {} about {}  -- error: about: a file can have only one

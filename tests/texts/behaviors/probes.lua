@@ -19,13 +19,13 @@ function on_execute() probe('p', { [print] = 1 }) end
 function on_execute() local t = {} for i = 1, 64 do t[i] = i end probe('p', t) end
 
 function on_execute() local t = {} for i = 1, 65 do t[i] = i end probe('p', t) end
--- error: probe 'p': a table has at most 64 entries here
+-- error: probe 'p': a table can have at most 64 entries
 
 function on_execute() probe('p', ('x'):rep(1000)) end
 
-function on_execute() probe('p', ('x'):rep(1001)) end  -- error: probe 'p': its strings have at most 1000 bytes
+function on_execute() probe('p', ('x'):rep(1001)) end  -- error: probe 'p': its strings can have at most 1000 bytes in all
 
-function on_execute() probe('p', { ('x'):rep(500), ('x'):rep(501) }) end  -- error: probe 'p': its strings have at most 1000 bytes
+function on_execute() probe('p', { ('x'):rep(500), ('x'):rep(501) }) end  -- error: probe 'p': its strings can have at most 1000 bytes in all
 
 --- The name of a probe must be an identifier, and probes are set while the behaviour runs.
 function on_execute() probe('a b', 1) end
@@ -40,4 +40,4 @@ param('probe', 1)  -- error: parameter 'probe': the name is already used in ever
 --- A component has at most 64 probes.
 function on_execute() for i = 1, 64 do probe('p' .. i, i) end probe('p1', 0) end
 
-function on_execute() for i = 1, 65 do probe('p' .. i, i) end end  -- error: probe 'p65': a component has at most 64 probes
+function on_execute() for i = 1, 65 do probe('p' .. i, i) end end  -- error: probe 'p65': a component can have at most 64 probes

@@ -240,7 +240,7 @@ param('x', 1) print = 1
 --            ^ error: 'print' can't be assigned: it is predefined (write 'local print' for a variable of that name)
 
 param('x', 1) local _ENV = {}
---                  ^ error: '_ENV' can't be used: globals are known by their names alone
+--                  ^ error: '_ENV' can't be used: write the names of globals directly
 
 --- The message about an unknown type gives the nearest type.
 output('out', 'TimedVelocity')
@@ -445,8 +445,8 @@ command('status', function() end)
 --- A component has at most 1000 ports, 1000 parameters and 1000 commands.
 for i = 1, 1000 do param('x' .. i, 0) end
 
-for i = 1, 30000 do param('x' .. i, 0) end  -- error: parameter 'x1001': a component has at most 1000 parameters
+for i = 1, 30000 do param('x' .. i, 0) end  -- error: parameter 'x1001': a component can have at most 1000 parameters
 
-for i = 1, 30000 do input('x' .. i, 'TimedLong') end  -- error: input 'x1001': a component has at most 1000 ports
+for i = 1, 30000 do input('x' .. i, 'TimedLong') end  -- error: input 'x1001': a component can have at most 1000 ports
 
-for i = 1, 30000 do command('x' .. i, function() end) end  -- error: command 'x1001': a component has at most 1000 commands
+for i = 1, 30000 do command('x' .. i, function() end) end  -- error: command 'x1001': a component can have at most 1000 commands

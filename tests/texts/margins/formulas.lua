@@ -73,7 +73,7 @@ return function() return not collided end  -- returns: none: collided is true or
 local mode = "drive"
 return function() return mode == "rest" end  -- returns: none: mode == "rest": does not compare numbers
 
-return function() return true end  -- returns: none: it returns a constant
+return function() return true end  -- returns: none: the condition returns a constant
 
 local a, collided = 1, false
 return function() return a < 4 and not collided end  -- returns: 3 (a < 4)
@@ -85,7 +85,7 @@ local a, collided = 6, false
 return function() return collided or a < 4 end  -- returns: -2 (a < 4)
 
 local a = 0 / 0
-return function() return a < 4 end  -- returns: none: a < 4: the difference is not finite
+return function() return a < 4 end  -- returns: none: a < 4: the difference of its two sides is not finite
 
 --- A helper function has the margin of its own comparisons.
 local a, b = 1, 5
@@ -197,7 +197,7 @@ return function() return 1 < limit and 1 > low end  -- returns: 3 (1 < limit)
 
 --- A condition whose source text can't be found has no margin.
 local f, g = function() return 1 < 4 end, function() return 2 < 4 end
-return g  -- returns: none: several functions begin on its line
+return g  -- returns: none: several functions begin on the line of the condition
 
 return function(...) return select("#", ...) > 0, "more" end  -- returns: 0 (select("#", ...) > 0)
 

@@ -87,10 +87,10 @@ local t = {} for i = 1, 9999 do t[i] = i end controller:add(t)
 -- error: ...behaviors/counter.lua:9: attempt to perform arithmetic on a table value (local 'a')
 
 local t = {} for i = 1, 10000 do t[i] = i end controller:add(t)
--- error: command 'add' was given 10001 values: at most 10000, so that no tick is late
+-- error: command 'add' got 10001 values: at most 10000 are allowed, so that no tick is late
 
 controller:add(('x'):rep(1048577))
--- error: command 'add' was given 1048577 bytes of text: at most 1048576, so that no tick is late
+-- error: command 'add' got 1048577 bytes of text: at most 1048576 are allowed, so that no tick is late
 
 controller.add(1)  -- error: add: write `X:add(...)` with a colon, not `X.add(...)`
 

@@ -31,7 +31,7 @@ sensors = { near = { kind = 'neighbours', loss = 2 } }
 --                                        ^ error: robot_model: field 'sensors.near.loss' expected a number from 0 to 1, got 2
 
 sensors = { near = { kind = 'neighbours', on = 'head' } }
---                                        ^ error: robot_model: field 'sensors.near.on' is not for neighbours: the hull carries that sensor
+--                                        ^ error: robot_model: field 'sensors.near.on' can't be used for neighbours: that sensor is always on the hull
 
 sensors = { near = { kind = 'range', radius = 1 } }
 --                                   ^ error: robot_model: unknown field 'sensors.near.radius': expected kind, at, yaw, on, range, minimum, cone, rays, noise, table, response, nothing, min_value, max_value, port
@@ -50,10 +50,10 @@ sensors = { eye = { kind = 'range' } }, hardware = { driver = 'x', start = 'eye'
 --                                                                 ^ error: robot_model: field 'hardware.start' expected a button, but there is no button 'eye'
 
 --- The message names what is wrong with a driver that is a script, and with its devices.
-hardware = { start = 'go' }  -- error at column 1: robot_model: field 'hardware.driver': expected either a driver of nezumi or a script, a behaviour that drives the robot
+hardware = { start = 'go' }  -- error at column 1: robot_model: field 'hardware.driver': expected either 'driver', a driver of nezumi, or 'script', a behaviour that drives the robot
 
 hardware = { driver = 'x', devices = { line = serial { path = '/dev/ttyACM0' } } }
---                         ^ error: robot_model: field 'hardware.devices': devices and device_model belong to a script
+--                         ^ error: robot_model: field 'hardware.devices': 'devices' and 'device_model' can be used only with 'script'
 
 hardware = { script = 'robot_controller', devices = { line = serial { boud = 9600 } } }
 --                                                    ^ error: robot_model: unknown field 'hardware.devices.line.boud' (did you mean 'baud'?)
@@ -65,13 +65,13 @@ hardware = { script = 'robot_controller', devices = { hat = i2c { safe = false }
 --                                                    ^ error: robot_model: device 'hat': address: expected the device's address on the bus, such as 0x40
 
 hardware = { script = 'robot_controller', devices = { hat = i2c { address = 0x40, registers = { 0, 2 }, lengths = { 1 } } } }
---                                                    ^ error: robot_model: device 'hat': lengths: expected the bytes of each of the 2 registers, got 1 numbers
+--                                                    ^ error: robot_model: device 'hat': lengths: expected the number of bytes of each of the 2 registers, got 1 numbers
 
 hardware = { script = 'robot_controller', devices = { hat = i2c { address = 0x78 } } }
 --                                                    ^ error: robot_model: parameter 'address' (integer): 120 is above its maximum 119
 
 hardware = { script = 'robot_controller', devices = { pins = gpio { outputs = { 5, 6 }, safe = '5=0' } } }
---                                                    ^ error: robot_model: device 'pins': safe: output 6 has no level: expected 6=0 or 6=1 among them
+--                                                    ^ error: robot_model: device 'pins': safe: output 6 has no level: add 6=0 or 6=1
 
 hardware = { script = 'robot_controller', devices = { pins = gpio { inputs = { 5 }, pull = 'high', safe = false } } }
 --                                                    ^ error: robot_model: parameter 'pull' (string): "high" is not one of its choices "none", "up", "down"
@@ -108,7 +108,7 @@ sensors = { ['a b'] = { kind = 'range' } }
 --           ^ error: robot_model: sensors: 'a b' is not a valid name: expected letters, digits and _
 
 sensors = { velocity = { kind = 'range' } }
---          ^ error: robot_model: a sensor can't be called 'velocity': that name stands for a measurement of the wheels
+--          ^ error: robot_model: a sensor can't have the name 'velocity': it is reserved for a measurement of the wheels
 
 actuators = { a = { kind = 'servo', minimum = 1, maximum = 0 } }
 --                                  ^ error: robot_model: field 'actuators.a.minimum': 1 is above maximum 0
@@ -190,7 +190,7 @@ ports = { a = { type = 'TimedVelocity2D', to = 'drive' }, b = { type = 'TimedVel
 
 --- Limits of values that a sensor does not have are refused.
 sensors = { a = { kind = 'range', nothing = 3 } }
---                                ^ error: robot_model: field 'sensors.a.nothing' is for a sensor with a 'table' or a 'response'
+--                                ^ error: robot_model: field 'sensors.a.nothing' can be used only for a sensor with a 'table' or a 'response'
 
 --- A robot that is too light or too small for the physics is refused.
 return robot_model { mass = 1e-9,

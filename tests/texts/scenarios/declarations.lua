@@ -84,7 +84,7 @@ scenario('it', { seed = -1 }, function() end)
 --               ^ error: scenario 'it': option 'seed' expected a whole number from 0 to 9223372036854775807, got -1
 
 scenario('it', { seed = 7, seeds = 3 }, function() end)
---                         ^ error: scenario 'it': option 'seeds': 'seed' gives all runs the same one: leave out one of them
+--                         ^ error: scenario 'it': option 'seeds': 'seed' gives all runs the same seed: leave out 'seed' or 'seeds'
 
 scenario('it', { paired = 'controler', sweep = { controller = { 1, 2 } } }, function() end)
 -- error: scenario 'it': option 'paired': the sweep has no list 'controler' (did you mean 'controller'?)
@@ -93,7 +93,7 @@ scenario('it', { paired = 'x', sweep = { x = range(0, 1) } }, function() end)
 -- error: scenario 'it': option 'paired': the sweep has no list 'x'
 
 scenario('a', { seeds = 2 }, function() end)
-scenario('a #1', function() end)  -- error: two runs are called 'a #1': rename a scenario
+scenario('a #1', function() end)  -- error: two runs have the name 'a #1': rename a scenario
 
 --- A method that a scenario does not have is found before it runs.
 scenario('it', function(s)

@@ -71,13 +71,13 @@ local w = s:load 'systems/stop_at_wall.lua'
 local p = 'mouse.ir_sensor_out'
 local port = w.mouse.ports.ir_sensor_out
 local function is(what) s:check(port.override == what, 'it is ' .. port.override .. ', not ' .. what) end
-s:drop(p) s:release(p)  -- error: release: mouse.ir_sensor_out is dropped, not held: s:restore ends that
+s:drop(p) s:release(p)  -- error: release: mouse.ir_sensor_out is dropped, not held: to end that, use s:restore
 
 local w = s:load 'systems/stop_at_wall.lua'
 local p = 'mouse.ir_sensor_out'
 local port = w.mouse.ports.ir_sensor_out
 local function is(what) s:check(port.override == what, 'it is ' .. port.override .. ', not ' .. what) end
-s:freeze(p, 1) s:release(p)  -- error: release: mouse.ir_sensor_out is frozen, not held: s:restore ends that
+s:freeze(p, 1) s:release(p)  -- error: release: mouse.ir_sensor_out is frozen, not held: to end that, use s:restore
 
 --- A lasting push continues after a short one.
 local w = s:load 'systems/stop_at_wall.lua'

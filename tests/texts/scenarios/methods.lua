@@ -47,7 +47,7 @@ s.check(true)  -- error: write s:check(...) with a colon
 
 --- A scenario can't set fields of s, and can't declare while it runs.
 s:load 'systems/stop_at_wall.lua'
-s.foo = 3  -- error: s: its members can't be set: keep what you need in a local
+s.foo = 3  -- error: members of s can't be set: keep values in a local variable
 
 s:load 'systems/stop_at_wall.lua'
 range('a')  -- error: range: expected range(lo, hi) or range(lo, hi, step) with numbers

@@ -103,7 +103,7 @@ s:eventually('e', { within = 'x' }, function() return true end)
 
 s:load 'systems/stop_at_wall.lua'
 s:always('a', { within = 1 }, function() return true end)
--- error: always: 'a': unknown option 'within': there are no options here
+-- error: always: 'a': unknown option 'within': expected no options
 
 s:load 'systems/stop_at_wall.lua'
 s:always('a', true)  -- error: always: 'a': expected options (a table) or a function, got boolean
@@ -224,7 +224,7 @@ return mouse.truth
 
 local begun = s:robot 'mouse'
 s:load 'systems/stop_at_wall.lua'
-begun { model = 'raspimouse' }  -- error: this table belongs to a name of an earlier world
+begun { model = 'raspimouse' }  -- error: this table comes too late: its name was given to an earlier world
 
 --- A condition can't let time pass.
 s:load 'systems/stop_at_wall.lua'

@@ -16,7 +16,7 @@ network { name = 'a', domain = 233 }
 --                    ^ error: network: field 'domain' expected a whole number from 0 to 232, got 233
 
 network { name = 'a', open = true, secret = 'k' }
---                    ^ error: network: field 'open': with a `secret`, only hosts that have it may write: leave out one of them
+--                    ^ error: network: field 'open': with a `secret`, only hosts that have the secret may write: leave out `open` or `secret`
 
 network { name = 'a', hosts = 'b' }
 --                    ^ error: network: field 'hosts': only lockstep waits for hosts: say `lockstep = true` as well
@@ -25,7 +25,7 @@ network { name = 'a', lockstep = true, hosts = { 'b c' } }
 --                                     ^ error: network: field 'hosts' expected names of hosts, got 'b c'
 
 network { name = 'a', lockstep = true, hosts = 'a' }
---                                     ^ error: network: field 'hosts' may not name 'a': it is this host
+--                                     ^ error: network: field 'hosts' may not contain 'a', the name of this host
 
 network { name = 'a', peers = { '10.0.0.2:7410', 'pi.local', 'fe80::1%wlan0', 'not an address' } }
 --                    ^ error: network: field 'peers' expected addresses or names of hosts, got 'not an address'
@@ -43,10 +43,10 @@ network { name = 'a' }  -- error: network: is set already, at system.lua:1
 ros {}  -- error: ros: field 'node' is missing: expected a string: the node's name
 
 ros { node = 'n', publish = { ['a.b'] = 'odom' } }
---                             ^ error: ros: field 'publish.a.b' has an invalid topic 'odom': expected a whole name as "/odom"
+--                             ^ error: ros: field 'publish.a.b' has an invalid topic 'odom': expected a full name such as "/odom"
 
 ros { node = 'n', publish = { ['a.b'] = '/' } }
---                             ^ error: ros: field 'publish.a.b' has an invalid topic '/': expected a whole name as "/odom"
+--                             ^ error: ros: field 'publish.a.b' has an invalid topic '/': expected a full name such as "/odom"
 
 ros { node = 'n', publish = { ['a.b'] = '/a/' } }
 --                             ^ error: ros: field 'publish.a.b' has an invalid topic '/a/': expected no slash at the end
@@ -61,7 +61,7 @@ ros { node = 'n', publish = { ['a.b'] = '/a b' } }
 --                             ^ error: ros: field 'publish.a.b' has an invalid topic '/a b': expected tokens of letters, digits and _ between slashes, none beginning with a digit
 
 ros { node = 'n', subscribe = { [''] = 'a.b' } }
---                               ^ error: ros: field 'subscribe.' has an invalid topic '': expected a whole name as "/odom"
+--                               ^ error: ros: field 'subscribe.' has an invalid topic '': expected a full name such as "/odom"
 
 ros { node = 'n', publish = { ['a.b'] = { topc = '/a' } } }
 --                                        ^ error: ros: unknown field 'publish.a.b.topc' (did you mean 'topic'?)

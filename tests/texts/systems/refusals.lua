@@ -366,11 +366,11 @@ rtm { nameserver = 'corbaloc::localhost' }
 
 behavior 'c' { script = 'robot_controller' }
 rtm { interface = 'eth0' }
---    ^ error: rtm: field 'interface' expected an address as 192.168.1.10, got 'eth0'
+--    ^ error: rtm: field 'interface' expected an address such as 192.168.1.10, got 'eth0'
 
 behavior 'c' { script = 'robot_controller' }
 rtm { interface = '1.2.3.256' }
---    ^ error: rtm: field 'interface' expected an address as 192.168.1.10, got '1.2.3.256'
+--    ^ error: rtm: field 'interface' expected an address such as 192.168.1.10, got '1.2.3.256'
 
 behavior 'c' { script = 'robot_controller' }
 rtm { export = 'c', rename = { ['d.in'] = 'x' } }
@@ -382,12 +382,12 @@ rtm { export = 'c', rename = { ['c.in'] = 'a b' } }
 
 behavior 'c' { script = 'robot_controller' }
 rtm { export = 'c', rename = { ['c.in'] = 5 } }
---                              ^ error: rtm: field 'rename' gives 'c.in' another name: expected a port's name there, got 5
+--                              ^ error: rtm: field 'rename' gives 'c.in' another name: expected a port's name as a string, got 5
 
 --- One end of a connection may be a port of another program if the other end is exported.
 behavior 'c' { script = 'robot_controller' }
 connect('rtm:Out0.out', 'c.in')
--- error: connect: rtm:Out0.out is a port of another program, which sees only what is exported: write rtm { export = { "c" } }
+-- error: connect: rtm:Out0.out is a port of another program, which sees only exported components: write rtm { export = { "c" } }
 
 behavior 'c' { script = 'robot_controller' }
 rtm { export = 'c' }

@@ -166,7 +166,7 @@ class RunTest(unittest.TestCase):
                 file.write("o---o\n|   |\n")
             self.assertRegex(told(self.run_mms(maze=wrong)), r"^nezumi: mms: .*m\.txt: expected 2 rows for each cell")
         self.assertEqual(told(self.run_mms("--hw", "--speed", "max")),
-                         "nezumi: mms: --speed is for a simulated mouse: --hw runs by the clock\n")
+                         "nezumi: mms: --speed works only with a simulated mouse: leave out --speed or --hw\n")
 
     def test_a_solver_that_ends_at_once_has_not_been_at_the_goal(self):
         done = self.run_mms("--speed", "max", solver=["true"])

@@ -106,7 +106,7 @@ class OwnOfficeTest(unittest.TestCase):
 
     def test_files_that_are_no_spreadsheet_are_refused(self):
         missing = self.place.path("none.ods")
-        said = "nezumi: calc: there is no file %s; without one, a new sheet is made\n" % missing
+        said = "nezumi: calc: there is no file %s: leave it out to make a new sheet\n" % missing
         self.refuses([self.nezumi, "calc", missing], None, said)
         text = self.place.write("text.ods", "\x01 no spreadsheet")
         words = [self.nezumi, "calc", "--headless", "--profile", self.place.path("own"), text]

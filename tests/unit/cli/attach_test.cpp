@@ -103,7 +103,7 @@ TEST_CASE("options of attach that do not go together are refused", "[cli][attach
         return outcome.error;
     };
     CHECK(said({"attach", "--list", "--eval", "1"}) == "nezumi: --list only lists running systems: leave out --eval\n");
-    CHECK(said({"attach", "--list", "--timeout", "1"}) == "nezumi: --timeout is for --eval\n");
+    CHECK(said({"attach", "--list", "--timeout", "1"}) == "nezumi: --timeout works only with --eval\n");
     CHECK(said({"attach", "--ssh-config", "x", "--list"}) ==
           "nezumi: --ssh-config is for a system on another computer, as in ssh:pi@mouse\n");
 }
@@ -224,7 +224,7 @@ TEST_CASE("attach --eval --timeout interrupts a text that takes longer", "[cli][
     CHECK(late.out == "begins\n");
     CHECK(late.error == "no answer within 0.3 s: interrupted\n");
     CHECK(run_nezumi({"attach", "--timeout", "20", "--eval", "1 + 1"}).out == "2\n");
-    CHECK(run_nezumi({"attach", "--timeout", "20"}).error == "nezumi: --timeout is for --eval\n");
+    CHECK(run_nezumi({"attach", "--timeout", "20"}).error == "nezumi: --timeout works only with --eval\n");
     CHECK(run_nezumi({"attach", "--timeout", "0", "--eval", "1"}).status == 2);
 }
 

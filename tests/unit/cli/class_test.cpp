@@ -125,9 +125,9 @@ TEST_CASE("without random numbers of the kernel a run has no page, and is the sa
     const std::string file = scratch.write("s.lua", "robot 'mouse' { model = 'raspimouse', noise = 0.1 }\n").string();
     const Outcome paged = run_without_random_numbers("run " + file + " --duration 0.1");
     CHECK(paged.status == 0);
-    CHECK(
-        paged.error.find("no page for browsers: the kernel gives no random numbers for the secret in its address\n") !=
-        std::string::npos);
+    CHECK(paged.error.find(
+              "no page for browsers: the kernel gives no random numbers for the secret in the page's address\n") !=
+          std::string::npos);
     // A pupil's program has no secret of its own, and its numbers come from the seed.
     const std::string run = "run " + file + " --headless --speed max --duration 1 --trace-hash";
     const std::string confined = web::can_confine() ? "confined " + scratch.path("").string() + " -- " : "";

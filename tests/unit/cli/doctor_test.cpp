@@ -39,8 +39,8 @@ TEST_CASE("the doctor ends with 0 where nothing is to be done", "[cli][doctor]")
     const Outcome outcome = doctor(machine);
     CHECK(outcome.status == 0);
     CHECK(outcome.out.starts_with("ok     driver: rtmouse 3.3.2\nok     nodes: all 14 can be used\n"));
-    CHECK(outcome.out.find("note   udev rules: no udev rule gives access to the nodes: other users can't use them, or "
-                           "only until the next start\n       do: sudo cp ") != std::string::npos);
+    CHECK(outcome.out.find("note   udev rules: no udev rule gives access to the device nodes: other users have no "
+                           "access, or lose it at the next start\n       do: sudo cp ") != std::string::npos);
     CHECK(outcome.out.ends_with("\nnothing wrong\n"));
 }
 
@@ -82,5 +82,5 @@ TEST_CASE("no wheel turns unless somebody is there to see it", "[cli][doctor][sa
     const Scratch nothing;
     const Outcome no_robot = doctor(nothing, {"--move", "--yes"});
     CHECK(no_robot.status == 2);
-    CHECK(no_robot.error == "nezumi: --move: this machine has no robot\n");
+    CHECK(no_robot.error == "nezumi: --move: no robot was found on this machine\n");
 }

@@ -179,15 +179,16 @@ TEST_CASE("lockstep is refused where time can't wait, or where everybody could h
     const Outcome hardware = run_nezumi({"run", real, "--hw", "--headless", "--dev-root", nodes, "--duration", "1"});
     INFO(hardware.error);
     CHECK(hardware.status == 2);
-    CHECK(
-        hardware.error.find("real.lua:1: network: 'lockstep' is for simulations: time does not wait for real robots") !=
-        std::string::npos);
+    CHECK(hardware.error.find(
+              "real.lua:1: network: 'lockstep' works only in simulation: time does not wait for real robots") !=
+          std::string::npos);
     const std::string open =
         scratch.write("open.lua", "seed(1)\nnetwork { name = \"a\", interface = \"lo\", lockstep = true }\n").string();
     const Outcome anybody = run_nezumi({"run", open, "--headless", "--duration", "1"});
     CHECK(anybody.status == 2);
-    CHECK(anybody.error.find("open.lua:2: network: 'lockstep' lets other hosts hold up time: it needs `secret`, or "
-                             "`open = true`") != std::string::npos);
+    CHECK(anybody.error.find(
+              "open.lua:2: network: 'lockstep' lets other hosts stop this system's time: it needs `secret`, or "
+              "`open = true`") != std::string::npos);
 }
 
 TEST_CASE("a scenario waits for no other host", "[cli][network][lockstep]") {

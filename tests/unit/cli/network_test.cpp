@@ -101,7 +101,7 @@ ros { node = "n",
     CHECK(said.find("s.lua:3:") != std::string::npos);
     CHECK(said.find("did you mean 'current_velocity_out'?") != std::string::npos);
     CHECK(said.find("s.lua:4:") != std::string::npos);
-    CHECK(said.find("TimedVelocity2D is made of no 'std_msgs/msg/Bool'") != std::string::npos);
+    CHECK(said.find("TimedVelocity2D can't be made from 'std_msgs/msg/Bool'") != std::string::npos);
 }
 
 TEST_CASE("a system of several hosts is tried in a scenario, where no other host is", "[cli][network]") {

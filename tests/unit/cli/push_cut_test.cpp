@@ -80,7 +80,8 @@ TEST_CASE("a run first finishes a push that was interrupted while its files were
     fs::remove(server.folder.path("bin/nezumi"));
     const Outcome shown = project.push(server, {"--dry-run"});
     CHECK(shown.error ==
-          "nezumi: mouse: a push to it was interrupted while its files were put in place: the next push finishes it\n");
+          "nezumi: mouse: a push to this folder was interrupted while its files were put in place: the next push "
+          "finishes it\n");
 
     // One who may not write there is told what to do, and nothing runs.
     const std::string there = server.folder.path("home/robots").string();
@@ -90,7 +91,7 @@ TEST_CASE("a run first finishes a push that was interrupted while its files were
     CHECK(refused.error ==
           there +
               ": a push to this folder was interrupted and can't be finished (.nezumi-push/next: is damaged: remove it "
-              "there, then push again): push again, or run `nezumi receive --finish " +
+              "on the robot, then push again): push again, or run `nezumi receive --finish " +
               there + "` as the user who pushed it\n");
     fs::remove(server.folder.path("home/robots/.nezumi-push/next"));
 

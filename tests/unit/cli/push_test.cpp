@@ -65,8 +65,9 @@ TEST_CASE("files that were edited on the robot, or were its own before, are kept
     const Outcome pushed = project.push(server, {"--run", "behaviors/systems/one.lua"});
     CHECK(pushed.status == 2);
     CHECK(pushed.out == "robots is on mouse in robots, except for the files that were kept\n");
-    CHECK(pushed.error == told + told_removed + told_own +
-                              "nezumi: behaviors/systems/one.lua is not run: mouse has other files than the project\n");
+    CHECK(pushed.error ==
+          told + told_removed + told_own +
+              "nezumi: behaviors/systems/one.lua is not run, because mouse kept files that differ from the project\n");
     CHECK(server.there("robots/behaviors/drive.lua") == "-- edited\n");
     CHECK(server.there("robots/behaviors/goes.lua") == "-- edited\n");
     CHECK(server.there("robots/behaviors/new\nline.lua") == "-- its own\n");
@@ -114,10 +115,9 @@ TEST_CASE("a folder there that a project would be mixed into is refused by ssh a
         CHECK(refused.error == "nezumi: mouse: " + std::string(home) + " is a home folder" + own);
     }
     CHECK(project.push(server, {"--to", "/"}).error == "nezumi: mouse: / is the root folder" + own);
-    CHECK(
-        project.push(server, {"--to", ".ssh/"}).error ==
-        "nezumi: mouse: .ssh/ has files and was not pushed to before: choose another folder with --to, or move it away "
-        "there\n");
+    CHECK(project.push(server, {"--to", ".ssh/"}).error ==
+          "nezumi: mouse: .ssh/ has files and was not pushed to before: choose another folder with --to, or move it "
+          "away on the robot\n");
     CHECK(server.there(".ssh/authorized_keys") == "keys");
     REQUIRE(project.push(server, {"--to", "demo"}).status == 0);
     REQUIRE(project.push(server, {"--to", "demo/"}).status == 0);

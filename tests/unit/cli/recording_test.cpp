@@ -52,7 +52,7 @@ TEST_CASE("a disk that gets full costs no row that was whole, and not the older 
     const auto first = rows();
     const std::string older = text_of_file(csv);
     CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);
-    CHECK(text_of_file(said) == problem + ", and what was there before is now " + csv + "~\n");
+    CHECK(text_of_file(said) == problem + ", and the previous file is now " + csv + "~\n");
     CHECK(rows() == first);
     CHECK(text_of_file(csv + "~") == older);
 }

@@ -33,7 +33,8 @@ struct SmallRun {
 
 TEST_CASE("a robot can't be removed before the camera that it carries", "[cli][act]") {
     const SmallRun it("remove 'mouse'\nremove 'camera'\nremove 'mouse'\nstep(2)\nls()\n");
-    CHECK(it.outcome.error.find("remove: mouse carries camera: remove that first") != std::string::npos);
+    CHECK(it.outcome.error.find("remove: mouse carries camera: remove the carried component first") !=
+          std::string::npos);
     CHECK(it.outcome.out.find("mouse") == std::string::npos);
 }
 

@@ -74,7 +74,7 @@ TEST_CASE("a run without a name service says so once, and goes on", "[cli][rtm][
     const std::string address = "localhost:" + std::to_string(free_port());
     Program run({"run", folder.write("system.lua", exported_mouse(address)).string(), "--headless", "--duration", "4"});
     CHECK(run.wait() == 0);
-    const std::string said = "rtm: no name service answers at " + address + ": start one, as omniNames";
+    const std::string said = "rtm: no name service answers at " + address + ": start one, for example omniNames";
     CHECK(run.error.find(said) != std::string::npos);
     CHECK(run.error.find(said) == run.error.rfind(said));
 }

@@ -95,9 +95,10 @@ TEST_CASE("a robot that --hw can't make real is refused with its line", "[cli][h
     SystemSpec kept = two_mice();
     robot(kept, 0).backend = "sim";
     CHECK(refused(kept, {"first"}) ==
-          "two.lua:1: robot 'first': --hw=first selects the real one, but backend = \"sim\" keeps it simulated");
+          "two.lua:1: robot 'first': --hw=first selects the real one, but backend = \"sim\" keeps it simulated: remove "
+          "one of the two");
     robot(kept, 1).backend = "sim";
-    CHECK(refused(kept) == "--hw: two.lua has no robot that could be real");
+    CHECK(refused(kept) == "--hw: two.lua has no robot or device that can be real");
     SystemSpec slow = two_mice();
     slow.rate = 9.9;
     slow.rate_place = {"two.lua", 3};
@@ -134,7 +135,8 @@ TEST_CASE("a device with backend = 'sim' stays simulated, and --hw for it is ref
     REQUIRE(choose_drivers(all, {}, devices()));
     CHECK(backend_of(all, "stick") == "sim");
     CHECK(refused(spec, {"stick"}) ==
-          "two.lua:4: component 'stick': --hw=stick selects the real one, but backend = \"sim\" keeps it simulated");
+          "two.lua:4: component 'stick': --hw=stick selects the real one, but backend = \"sim\" keeps it simulated: "
+          "remove one of the two");
     CHECK(refused(spec, {"stik"}) == "--hw: there is no robot or device 'stik' in two.lua (did you mean 'stick'?)");
     add_component(spec, "finder", "MarkerDetector");
     CHECK(refused(spec, {"finder"}).starts_with("--hw: there is no robot or device 'finder' in two.lua"));

@@ -236,7 +236,7 @@ TEST_CASE("twins that can't be are refused", "[cli][hw][twin]") {
     CHECK(refused_twin("robot 'mouse' { model = 'raspimouse', backend = 'sim' }\n") ==
           "system.lua has no real robot that could have a twin");
     const std::string taken = one_mouse + "robot 'mouse_twin' { model = 'raspimouse', backend = 'sim' }\n";
-    CHECK(refused_twin(taken) == "the twin of 'mouse' is called 'mouse_twin': give this one another name");
+    CHECK(refused_twin(taken) == "the twin of 'mouse' has the name 'mouse_twin': give this component another name");
     const Scratch scratch;
     const auto system = scratch.write("system.lua", taken);
     auto spec = read_system_file(system, Project::of(system, {source_root()}), {});
@@ -244,7 +244,7 @@ TEST_CASE("twins that can't be are refused", "[cli][hw][twin]") {
     LiveOptions live;
     use_hardware(live, {.robots = {}, .twins = true}, {});
     CHECK(describe(live.prepare(*spec).error()) ==
-          fmt::format("{}:2: --twin: the twin of 'mouse' is called 'mouse_twin': give this one another name",
+          fmt::format("{}:2: --twin: the twin of 'mouse' has the name 'mouse_twin': give this component another name",
                       system.string()));
     const std::string file = "behaviors/systems/stop_at_wall.lua";
     const Outcome without_robot = run_nezumi({"run", file, "--twin"});

@@ -146,7 +146,8 @@ TEST_CASE("a headless run, and a run with --no-web, serve no page", "[cli][web]"
     };
     CHECK(refused({"--port", "0"}) == "nezumi: --port: expected a whole number from 1 to 65535, got '0'\n");
     CHECK(refused({"--port", "65536"}) == "nezumi: --port: expected a whole number from 1 to 65535, got '65536'\n");
-    CHECK(refused({"--port", "8765", "--headless"}) == "nezumi: --port: a headless run has no page: leave it out\n");
+    CHECK(refused({"--port", "8765", "--headless"}) ==
+          "nezumi: --port: a headless run has no page: leave out this option\n");
     CHECK(refused({"--port", "8765", "--no-web"}) ==
           "nezumi: --port: --no-web serves no page: leave out one of them\n");
     for (const std::string address : {"0.0.0.0", "robot", "::1", "192.168.1"})

@@ -154,7 +154,7 @@ TEST_CASE("log lines are sent to clients that asked for them", "[console][server
 TEST_CASE("keys are sent to the session that drives, and driving without keys is refused", "[console][server]") {
     ServerRig it;
     ConsoleClient without = it.open();
-    CHECK(it.eval(without, "drive 'mouse'") == Said{"!drive: this needs a terminal: there are no keys here", "failed"});
+    CHECK(it.eval(without, "drive 'mouse'") == Said{"!drive: this needs a terminal, because it reads keys", "failed"});
     ConsoleClient with = it.open();
     with.send({.kind = Request::Kind::hello, .text = {}, .keys = true});
     const Said driven = it.eval(with, "drive 'mouse'");

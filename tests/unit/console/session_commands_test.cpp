@@ -178,7 +178,7 @@ TEST_CASE("the arrow keys drive until Esc", "[console][session]") {
     it.turn(3);
     CHECK(velocity() == "{ va = 0.0, vx = 0.25, vy = 0.0 }");  // the controller's again
     CHECK(it.type("drive 'muose'") == "! drive: there is no component 'muose' (did you mean 'mouse'?)");
-    CHECK_THAT(it.type("drive(controller.in)"), Contains("controller.in is TimedShortSeq: a stick drives"));
+    CHECK_THAT(it.type("drive(controller.in)"), Contains("controller.in is TimedShortSeq: drive needs a port of"));
 }
 
 TEST_CASE("no line of a message looks like a line of the log", "[console][session]") {

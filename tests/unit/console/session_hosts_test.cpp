@@ -305,7 +305,7 @@ end
     CHECK(ev3.type("c.config.speed") == "0.25");
     CHECK(pi.type("hosts.ev3.c.config.sped") == "! c: unknown parameter 'sped' (did you mean 'speed'?)");
     CHECK(pi.type("hosts.ev3.c.stat") == "! c has no 'stat' (did you mean 'state'?)");
-    CHECK(pi.type("hosts.ev3.c.out:write { vx = 1 }") == "! ev3/c.out:write: only its own host can do that");
+    CHECK(pi.type("hosts.ev3.c.out:write { vx = 1 }") == "! ev3/c.out:write: this can be done only on its own host");
 }
 
 TEST_CASE("a wrong use of another host's component is reported", "[console][network]") {

@@ -20,7 +20,7 @@ TEST_CASE("a component that can't be activated is reported, and the others are a
     CHECK_THAT(said, StartsWith("ACTIVE now: mouse, controller\n! activate: "));
     CHECK_THAT(said, Contains("no luck"));
     CHECK(it.type("bad.status") == "\"ERROR\"");
-    CHECK(it.type("activate()") == "nothing is INACTIVE");
+    CHECK(it.type("activate()") == "no component is INACTIVE");
 }
 
 TEST_CASE("pictures and graphs are drawn within the project", "[console][session]") {
@@ -41,9 +41,9 @@ TEST_CASE("pictures and graphs are drawn within the project", "[console][session
     CHECK(it.type("graph '" + home + "/wiring'") == "wrote " + home + "/wiring.svg");
     CHECK(drawn == "world now.png;wiring wiring.svg;");
     CHECK(it.type("picture '" + home + "/now.gif'") ==
-          "! picture: a picture ends in .png or .svg: write picture \"" + home + "/now.png\"");
+          "! picture: the name of a picture must end in .png or .svg: write picture \"" + home + "/now.png\"");
     CHECK(it.type("graph '" + outside.path("x.svg").string() + "'") ==
-          "! graph: '" + outside.path("x.svg").string() + "' lies outside of the project: it is saved in " + home +
+          "! graph: '" + outside.path("x.svg").string() + "' lies outside of the project: it must be saved in " + home +
               " or below");
     CHECK(it.type("picture '" + home + "/full.png'") == "! picture: " + home + "/full.png: the disk is full");
     CHECK_THAT(it.type("picture()"), StartsWith("! picture: expected the name of a file, as in picture \"x.png\""));

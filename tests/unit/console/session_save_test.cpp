@@ -96,7 +96,7 @@ TEST_CASE("save writes the present connections and configuration as a system fil
     const auto& controller = std::get<BehaviorEntry>(spec->entries[1]);
     CHECK(controller.config == ParameterValues{{"stop_d", std::int64_t{99}}});
     it.type("restart() controller:use 'fast'");
-    CHECK_THAT(it.type("save '" + file + "'"), Contains("what was there is now " + file + "~"));
+    CHECK_THAT(it.type("save '" + file + "'"), Contains("the previous file is now " + file + "~"));
     CHECK_THAT(text_of_file(file), Contains("set = \"fast\""));
     CHECK_THAT(text_of_file(file + "~"), Contains("stop_d = 99"));
     CHECK(it.type("save(3)") == "! save: expected the name of a file, as in save \"system.lua\", got number");
@@ -170,13 +170,13 @@ TEST_CASE("save only writes Lua files within the project", "[console][session]")
          {outside.path("x.lua").string(), home + "/../x.lua", std::string("/nowhere/at/all.lua")}) {
         CAPTURE(name);
         CHECK(it.type("save '" + name + "'") ==
-              "! save: '" + name + "' lies outside of the project: a system is saved in " + home + " or below");
+              "! save: '" + name + "' lies outside of the project: a system must be saved in " + home + " or below");
         CHECK_FALSE(std::filesystem::exists(name));
     }
     std::filesystem::create_directory_symlink(outside.path(""), it.folder.path("link"));
     CHECK_THAT(it.type("save '" + home + "/link/x.lua'"), Contains("lies outside of the project"));
     CHECK(it.type("save '" + home + "/notes.txt'") ==
-          "! save: a system file ends in .lua: write save \"" + home + "/notes.lua\"");
+          "! save: the name of a system file must end in .lua: write save \"" + home + "/notes.lua\"");
     CHECK_THAT(it.type("save '" + home + "/a\\0b.lua'"), Contains("it contains a control character"));
     CHECK_THAT(it.type("save '" + home + "/a\\nb.lua'"), Contains("it contains a control character"));
     CHECK(it.type("save '" + home + "/behaviors/deep'") ==

@@ -72,7 +72,7 @@ TEST_CASE("a refusal by another host is reported with its name", "[dds][network]
     none.component = "prt";
     CHECK(text(pi.ask(none, ev3)).find("(did you mean 'part'?)") != std::string::npos);
     none.host = "ev4";
-    CHECK(text(pi.ask(none, ev3)) == "! no host 'ev4' is known (did you mean 'ev3'?)");
+    CHECK(text(pi.ask(none, ev3)) == "! there is no host 'ev4' (did you mean 'ev3'?)");
     none.host = "pi";
     CHECK(text(pi.ask(none, ev3)) == "! pi is this host: write the component's name without 'pi/'");
 }

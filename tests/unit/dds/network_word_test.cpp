@@ -34,7 +34,8 @@ TEST_CASE("a port of another host is named host/name.port", "[dds][system_file][
     CHECK(system_error("connect('ev3/vehicle.out', 'mouse.in')") ==
           "s.lua:1: connect: ev3/vehicle.out: a port of another host needs network { name = ... } in the system file");
     CHECK(system_error("network { name = 'a' }\nconnect('b/x.out', 'c/y.in')") ==
-          "s.lua:2: connect: b/x.out: both ends are on other hosts: one of these connects them");
+          "s.lua:2: connect: b/x.out: both ports are on other hosts: connect them in the system file of one of these "
+          "hosts");
     CHECK(system_error("network { name = 'a' }\nconnect('a/x.out', 'y.in')") ==
           "s.lua:2: connect: a/x.out: this host is 'a' itself: write \"x.out\"");
     CHECK(system_error("network { name = 'a' }\nconnect('a/b/x.out', 'y.in')") ==

@@ -111,5 +111,6 @@ TEST_CASE("a type without a name in ROS is refused with what to write", "[dds][r
           "ros: part.seen: my_msgs/Nameless has no name in ROS: write ros = \"PACKAGE/msg/NAME\" in Nameless.msg");
     DefinedRig other(spec_of({{"part.seen", "/seen", "my_msgs/msg/Corner"}}, {}), obstacle_type());
     CHECK(other.refusal ==
-          "ros: part.seen: my_msgs/Obstacle becomes no 'my_msgs/msg/Corner'; there is my_msgs/msg/Obstacle");
+          "ros: part.seen: my_msgs/Obstacle can't be sent as 'my_msgs/msg/Corner'; the possible type is "
+          "my_msgs/msg/Obstacle");
 }

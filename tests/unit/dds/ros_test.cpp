@@ -84,13 +84,13 @@ TEST_CASE("topics and types have ROS 2's names on the wire", "[dds][ros]") {
 
 TEST_CASE("an impossible type for a port is refused with the possible ones", "[dds][ros]") {
     CHECK(ros::find_mapping(message_of<Velocity2D>(), "geometry_msgs/msg/Twst", false).error().message ==
-          "TimedVelocity2D becomes no 'geometry_msgs/msg/Twst' (did you mean 'geometry_msgs/msg/Twist'?); there are "
-          "geometry_msgs/msg/Twist, geometry_msgs/msg/TwistStamped");
+          "TimedVelocity2D can't be sent as 'geometry_msgs/msg/Twst' (did you mean 'geometry_msgs/msg/Twist'?); the "
+          "possible types are geometry_msgs/msg/Twist, geometry_msgs/msg/TwistStamped");
     CHECK(ros::find_mapping(message_of<std::vector<std::string>>(), "", false).error().message ==
           "there is no type of ROS for TimedStringSeq");
     CHECK(ros::find_mapping(message_of<Pose2D>(), "tf2_msgs/msg/TFMessage", true)
               .error()
-              .message.find("TimedPose2D is made of no 'tf2_msgs/msg/TFMessage'") == 0);
+              .message.find("TimedPose2D can't be made from 'tf2_msgs/msg/TFMessage'") == 0);
 }
 
 TEST_CASE("a stamped message is encoded as in ROS's definition", "[dds][ros]") {

@@ -217,8 +217,8 @@ TEST_CASE("on the loopback only hosts of the same user communicate", "[dds][secr
         CHECK_FALSE(one.hears("two"));
         CHECK_FALSE(two.hears("one"));
         const std::vector<std::string> told{
-            "network: a host with another secret, as another user's, was found, but refused: set the same "
-            "`secret = FILE` on both, or `open = true` on both"};
+            "network: a host with another secret (for example of another user) was found, but refused: set the "
+            "same `secret = FILE` on both, or `open = true` on both"};
         CHECK(one.log == told);
         CHECK(two.log == told);
     }

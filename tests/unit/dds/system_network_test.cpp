@@ -239,8 +239,8 @@ TEST_CASE("a hold on another host's in-port is refused", "[dds][network]") {
     const Actor user{Actor::Kind::console};
     const Velocity2D fast{.vx = 0.2};
     const std::string why =
-        "ev3/part.target gets its messages on host 'ev3': do this there, or with the out-port here that "
-        "it is connected to";
+        "ev3/part.target gets its messages on host 'ev3': do this on that host, or with the out-port of this "
+        "host that it is connected to";
     for (const Act& each : {Act{Hold{.port = "ev3/part.target", .value = fast}}, Act{Inject{"ev3/part.target", fast}},
                             Act{Drop{"ev3/part.target"}}, Act{Freeze{"ev3/part.target"}}}) {
         const auto done = pi.act(each, user);

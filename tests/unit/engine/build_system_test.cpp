@@ -325,7 +325,7 @@ TEST_CASE("limits above those of a real robot are reported once, with its actual
     hardware = plan.spec.models["mouse"].drive.limits;  // as after a calibration
     CHECK(tell() ==
           std::vector<std::string>{"s.lua:1: robot 'mouse': limits: the real robot gets 0.5 m/s instead of 1: its "
-                                   "model allows no more, and a system can raise that only in simulation"});
+                                   "model allows no more, and a system file can exceed that only in simulation"});
     mouse.limits.speed = 0.4;
     CHECK(tell().empty());
     mouse.limits.speed = 1.0;

@@ -346,7 +346,8 @@ TEST_CASE("plain data is each value's type in a byte and the value, and comes ba
     CHECK(back == data);
     CHECK(is_sound(back));
     CHECK(written(std::vector<Value>{true, Value()}) == "02 00 00 00 01 01 00");
-    CHECK(error_of<std::vector<Value>>("01 00 00 00 63") == "byte 4: expected a type from 0 to 9, got 99");
+    CHECK(error_of<std::vector<Value>>("01 00 00 00 63") ==
+          "byte 4: expected the number of a type, from 0 to 9, got 99");
     back.tables[0][0][1] = TableRef{1};
     CHECK_FALSE(is_sound(back));
     back.tables[0][0] = {Value(), 1.0};

@@ -68,8 +68,8 @@ TEST_CASE("a maze of 16 x 16 cells is 256 bytes, columns first", "[engine][maze_
     wrong[3 * 16 + 8] = 0;
     CHECK(error_of(wrong) == "m.txt: cell 3 7 has a wall in the north, which cell 3 8 contradicts");
     CHECK(error_of(std::string(255, '\1')) ==
-          "m.txt: expected a drawing of a maze, or a byte for each cell, as in a .maz file of 256 bytes, got 255 bytes "
-          "that are not text");
+          "m.txt: expected a drawing of a maze, or a byte for each cell of a square maze, such as 256 bytes for "
+          "16 x 16 cells (a .maz file), got 255 bytes that are not text");
     CHECK(maze_of(std::string(1, '\x0f')).columns() == 1);
     CHECK(write_maze(Maze(4, 4, false), MazeFormat::maz).error().message ==
           "a .maz file holds 16 x 16 cells, and this maze has 4 x 4: write .txt, .map or .num");

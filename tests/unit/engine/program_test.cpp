@@ -60,7 +60,7 @@ TEST_CASE("a program is killed at once when it is given up", "[engine][program]"
     });
     const auto end = run_program({.words = {"sleep", "60"}, .longest = 600, .give_up = &give_up});
     later.join();
-    CHECK(problem_of(end) == "it was given up");
+    CHECK(problem_of(end) == "it was stopped early");
 }
 
 TEST_CASE("a program that a thread without signals starts receives signals", "[engine][program]") {

@@ -202,7 +202,7 @@ TEST_CASE("a stalled loop is a stop, from which the next command starts", "[engi
     CHECK(run.hull.speeds.left == Approx(0.1));
     run.drive(0.21);
     CHECK(run.hull.speeds == Wheels{});
-    CHECK(run.log == Names{"mouse: stops: nothing was computed for 0.21 s"});
+    CHECK(run.log == Names{"mouse: stops: no tick was computed for 0.21 s"});
     run.drive(0.01);  // no faster than ever
     CHECK(run.hull.speeds.left == Approx(0.02));
     run.drive(2);

@@ -44,10 +44,10 @@ TEST_CASE("a system of C++ components runs, is changed by acts and starts again 
 
 TEST_CASE("acts that need scripts are refused in a program without scripts", "[engine][live]") {
     const auto live = run_native();
-    constexpr auto none = "there are no scripts here: this program has only components in C++";
+    constexpr auto none = "this program can't run scripts: it has only components in C++";
     CHECK(error_of(live->act(Add{BehaviorEntry{.name = "b", .script = "b", .path = "b.lua"}}, {})) == none);
-    CHECK(error_of(live->act(Reload{.component = "it"}, {})) == "it has no script: only behaviours reload");
-    CHECK(error_of(live->act(Rollback{"it"}, {})) == "it has no script: only behaviours reload");
+    CHECK(error_of(live->act(Reload{.component = "it"}, {})) == "it has no script: only behaviours can be reloaded");
+    CHECK(error_of(live->act(Rollback{"it"}, {})) == "it has no script: only behaviours can be reloaded");
     CHECK(error_of(live->act(Reload{.files = {"b.lua"}}, {})).empty());  // nothing comes from it
     CHECK(error_of(live->act(Reload{}, {})).empty());
     CHECK(RunningSystem::load("system.lua", {}).error().message == none);

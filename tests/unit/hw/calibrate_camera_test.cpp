@@ -158,7 +158,7 @@ TEST_CASE("a camera's calibration in simulation writes nothing", "[hw][calibrati
     CHECK(outcome.status == 0);
     CHECK(outcome.out.starts_with("fx 55"));
     CHECK(outcome.out.find(", k1 -0.") != std::string::npos);
-    CHECK(outcome.out.ends_with("nothing is written: it was simulated\n"));
+    CHECK(outcome.out.ends_with("nothing is written, because this was a simulation\n"));
     CHECK(outcome.error.find("view 20 of 20\n") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(scratch.path("mouse.calibration.lua")));
 }
@@ -189,6 +189,6 @@ TEST_CASE("a camera that can't be calibrated is refused in one line", "[hw][cali
     CHECK(said({"one.lua"}) ==
           "nezumi: a person must stand beside the robot: run this command in a terminal, or add --yes\n");
     CHECK(said({"one.lua", "--sim", "--board", "9"})
-              .find("expected its inner corners as COLUMNSxROWS, from 3 to 50, "
-                    "as 9x6") != std::string::npos);
+              .find("expected the numbers of inner corners as COLUMNSxROWS, each from 3 to 50, as in 9x6") !=
+          std::string::npos);
 }

@@ -205,7 +205,7 @@ TEST_CASE("a calibration in simulation writes nothing", "[hw][calibration]") {
         run_nezumi({"calibrate", "odometry", "system.lua", "--sim", "--side", "0.2"}, scratch.path("").string());
     CHECK(outcome.status == 0);
     CHECK(outcome.out.starts_with("track 0.09"));
-    CHECK(outcome.out.ends_with("nothing is written: it was simulated\n"));
+    CHECK(outcome.out.ends_with("nothing is written, because this was a simulation\n"));
     CHECK_FALSE(std::filesystem::exists(scratch.path("mouse.calibration.lua")));
 }
 
@@ -273,5 +273,5 @@ TEST_CASE("a real robot does not move with a damaged calibration or that of anot
     CHECK(
         said("calibration { robot = 'mickey', model = 'raspimouse' }") ==
         "mouse.calibration.lua: is the calibration of another robot: its name is 'mickey', not 'mouse'. Calibrate this "
-        "one, or move the file away\n");
+        "robot, or move the file away\n");
 }

@@ -129,7 +129,8 @@ TEST_CASE("an I2C clock that is faster than the counters' makers ask for is wron
     machine.folder.write("sys/bus/i2c/devices/i2c-1/of_node/clock-frequency", std::string_view("\0\6\32\200", 4));
     CHECK(
         not_well(machine.examine()) ==
-        "I2C clock: 400000 Hz: the wheel counters' makers ask for 62500 Hz, else readings fail -> write "
+        "I2C clock: 400000 Hz: the manufacturer of the wheel counters allows at most 62500 Hz, else readings fail -> "
+        "write "
         "dtparam=i2c_baudrate=62500 into /boot/firmware/config.txt (/boot/config.txt on older systems), and restart\n");
     machine.folder.write("sys/bus/i2c/devices/i2c-1/of_node/clock-frequency", std::string_view("\0\0\364\44", 4));
     CHECK(found(machine.examine(), "I2C clock") == "62500 Hz");
@@ -139,8 +140,8 @@ TEST_CASE("for light sensors that give only zeros the advice is the overlay, if 
     const MouseMachine machine;
     machine.folder.write("dev/rtlightsensor0", "0 0 0 0\n");
     const std::string zeros =
-        "light sensors: they always give 0 0 0 0: that is not a measurement -> switch SPI on, see "
-        "overlay; and check the boards' connector\n";
+        "light sensors: they always give 0 0 0 0: that is not a measurement -> switch SPI on (see the finding "
+        "'overlay'), and check the boards' connector\n";
     CHECK(not_well(machine.examine()) ==
           zeros +
               "overlay: the converter of the light sensors is not on the SPI bus -> write dtparam=spi=on and "
@@ -202,7 +203,7 @@ TEST_CASE("programs that have a node open are named, and their counters are not 
                                     machine.folder.path("proc/812/fd/3"));
     const Examination all = machine.examine();
     CHECK(not_well(all) == "programs: python3 (process 812) has " + machine.folder.path("dev/rtcounter_l1").string() +
-                               " open -> end it before a robot is driven: kill 812\n");
+                               " open -> end this program before you drive the robot: kill 812\n");
     CHECK(found(all, "wheel counters") == "another program uses them: not tested");
 }
 
@@ -217,7 +218,7 @@ TEST_CASE("of a program and its guard only the program is named", "[hw][doctor]"
         std::filesystem::create_symlink(node, machine.folder.path(folder + "/fd/3"));
     }
     CHECK(not_well(machine.examine()) == "programs: nezumi (process 812) has " + node.string() +
-                                             " open -> end it before a robot is driven: kill 812\n");
+                                             " open -> end this program before you drive the robot: kill 812\n");
 }
 
 TEST_CASE("the lock also shows which program drives the motors", "[hw][doctor]") {
@@ -316,7 +317,7 @@ TEST_CASE("motors, sensors and battery of a brick are listed", "[hw][doctor]") {
           "motors: 1 of 2 large motors are plugged in: lego-ev3-l-motor at outB -> plug the wheels' large motors into "
           "B and "
           "C, and look at their cables\n"
-          "battery: 5.9 V, and the robot stands below 6.2 V -> charge it, or put in fresh ones\n");
+          "battery: 5.9 V: below 6.2 V the robot does not drive -> charge the battery, or put in fresh batteries\n");
     CHECK(found(one, "sensors") == "lego-ev3-gyro at in2");
     device("tacho-motor/motor1", "lego-ev3-l-motor", "outC");
     folder.write("sys/class/power_supply/lego-ev3-battery/voltage_now", "7900000\n");

@@ -127,11 +127,11 @@ TEST_CASE("a GPIO device that can't be used is refused by one line", "[hw][wire]
     }
     SECTION("with a line that has no safe level") {
         device = "outputs = { 23, 5 }, safe = '23=0'";
-        expected = "robot_model: device 'pins': safe: output 5 has no level: expected 5=0 or 5=1 among them";
+        expected = "robot_model: device 'pins': safe: output 5 has no level: add 5=0 or 5=1";
     }
     SECTION("with a channel that has no safe duty") {
         device = "outputs = { 23 }, pwm_channels = { 1 }, safe = '23=0'";
-        expected = "robot_model: device 'pins': safe: pwm_channel 1 has no duty: expected pwm1=0 among them";
+        expected = "robot_model: device 'pins': safe: pwm_channel 1 has no duty: add pwm1=0";
     }
     SECTION("with another line among the safe ones") {
         device = "outputs = { 23 }, safe = '23=0 6=1'";
@@ -139,7 +139,7 @@ TEST_CASE("a GPIO device that can't be used is refused by one line", "[hw][wire]
     }
     SECTION("with a line twice") {
         device = "outputs = { 23 }, inputs = { 23 }, safe = '23=0'";
-        expected = "robot_model: device 'pins': line 23 is given twice";
+        expected = "robot_model: device 'pins': GPIO line 23 is given twice";
     }
     SECTION("with a line in use") {
         run.board->take_line(5);

@@ -31,9 +31,9 @@ TEST_CASE("the doctor turns each wheel both ways, then switches the motors off",
     const Outcome broken = run_nezumi(words);
     CAPTURE(broken.out, broken.error);
     CHECK(broken.status == 1);
-    CHECK(
-        broken.out.find("wrong  wheels: right wheel forward: 0.000 m counted, 0.050 m expected\n       do: its counter "
-                        "or its motor is not connected: check their cables\n") != std::string::npos);
+    CHECK(broken.out.find("wrong  wheels: right wheel forward: 0.000 m counted, 0.050 m expected\n       do: the "
+                          "wheel's counter or motor is not connected: check the cables of both\n") !=
+          std::string::npos);
     CHECK_FALSE(fake.motion().power);
 }
 
@@ -76,7 +76,7 @@ public:
     const std::string& answers() const { return answers_; }
     void serve(Program& program) {
         for (int drive = 0; drive < 3; ++drive) {
-            REQUIRE(program.wait_for_error("Where does it stand now: x y [m]: ", 60));
+            REQUIRE(program.wait_for_error("Where is the robot now: x y [m]: ", 60));
             program.error.clear();
             const Pose2D now = fake_.truth();
             const double dx = now.position.x - start_.position.x, dy = now.position.y - start_.position.y;
@@ -111,7 +111,7 @@ TEST_CASE("a robot's wheels are calibrated over its devices, and the file is use
     REQUIRE(std::sscanf(program.out.c_str(), "track %lf m", &track) == 1);
     CHECK(track == Approx(0.0925).epsilon(0.03));
     CHECK_FALSE(fake.motion().power);
-    CHECK(program.out.find("mouse.calibration.lua is used by nezumi run --hw\n") != std::string::npos);
+    CHECK(program.out.find("mouse.calibration.lua: nezumi run --hw uses this file from now on\n") != std::string::npos);
     REQUIRE(std::filesystem::exists(fake.folder.path("mouse.calibration.lua")));
     fake.folder.write("simulated.lua", "robot 'mouse' { model = 'raspimouse', calibrated = true }");
     CHECK(run_nezumi({"check", "simulated.lua"}, folder).status == 0);
@@ -136,5 +136,5 @@ TEST_CASE("an EV3's wheels are calibrated over its devices", "[hw][ev3][run][fak
     CHECK(left == Approx(0.028).epsilon(0.03));
     CHECK(right == Approx(0.028).epsilon(0.03));
     CHECK_FALSE(fake.moves());
-    CHECK(program.out.find("ev3.calibration.lua is used by nezumi run --hw\n") != std::string::npos);
+    CHECK(program.out.find("ev3.calibration.lua: nezumi run --hw uses this file from now on\n") != std::string::npos);
 }

@@ -157,7 +157,9 @@ TEST_CASE("a device on I2C that can't be used is refused by one line", "[hw][wir
     }
     SECTION("without the length of a register") {
         device += ", registers = { 0, 2 }, lengths = { 1 }";
-        expected = "robot_model: device 'hat': lengths: expected the bytes of each of the 2 registers, got 1 numbers";
+        expected =
+            "robot_model: device 'hat': lengths: expected the number of bytes of each of the 2 registers, got 1 "
+            "numbers";
     }
     SECTION("with a register's number that is too large") {
         device += ", registers = { 300 }, lengths = { 1 }";
@@ -171,7 +173,7 @@ TEST_CASE("a device on I2C that can't be used is refused by one line", "[hw][wir
     }
     SECTION("without safe bytes") {
         device = "address = 0x60";
-        expected = "component 'rover_hat': --hw needs its safe bytes";
+        expected = "component 'rover_hat': --hw needs the device's safe bytes";
     }
     SECTION("without an answer") {
         run.board->set_answers(0x60, false);

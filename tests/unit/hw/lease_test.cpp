@@ -22,7 +22,7 @@ TEST_CASE("only one program drives the motors, and a second one is refused with 
     REQUIRE_FALSE(second);
     CHECK(second.error().message == node +
                                         ": another robot of this system drives these motors already: only one of "
-                                        "them can be real, as by --hw=NAME");
+                                        "them can be real, for example by --hw=NAME");
     first->reset();
     CHECK(Guard::start("test", node));
 }

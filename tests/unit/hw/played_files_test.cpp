@@ -79,7 +79,7 @@ TEST_CASE("the older log has another name until the new one is whole", "[hw][log
     auto logged = LoggedFiles::create(file, {});
     REQUIRE(logged);
     CHECK(text_of_file(file + "~") == "older\n");
-    CHECK((*logged)->file().told_of_older() == ", and what was there before is now " + file + "~");
+    CHECK((*logged)->file().told_of_older() == ", and the previous file is now " + file + "~");
     (*logged)->end();
     CHECK((*logged)->close() == 0);
     CHECK(read_device_log(log_text(folder), "x.log"));

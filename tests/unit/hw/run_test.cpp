@@ -191,7 +191,7 @@ connect("driver.out", "mouse.target_velocity_in")
     CHECK(run.status == 0);
     CHECK(fake.truth().position.x > 0.05);
     const std::string told =
-        "neighbours and what they say exist only in simulation: this robot sees and tells nothing\n";
+        "neighbours and what they say exist only in simulation: this real robot sees none and says nothing\n";
     const auto first = run.error.find(told);
     CHECK(first != std::string::npos);
     CHECK(run.error.find(told, first + 1) == std::string::npos);

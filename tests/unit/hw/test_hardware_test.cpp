@@ -174,7 +174,7 @@ TEST_CASE("requests impossible for real robots are refused before anything moves
     CHECK(has(second.out, "with --hw a scenario can have only one world: remove the second world"));
     const Outcome none = fake.test(scenario("s:behavior('b', { script = 'none' }) s:run(1)"), {});
     CHECK(none.status == 2);
-    CHECK(has(none.out, "has no robot that could be real"));
+    CHECK(has(none.out, "has no robot or device that can be real"));
     CHECK(fake.truth().position.x < 0.01);
 }
 

@@ -133,8 +133,8 @@ TEST_CASE("a robot with a device that can't be opened or stopped is refused with
     SECTION("without safe bytes") {
         device = "path = '/dev/ttyACM0', ends = '\\n'";
         expected =
-            "component 'rover_line': --hw needs its safe bytes: give safe = \"...\", what stops the device, or safe = "
-            "false in a robot file (measures_only = true in a system) if it moves nothing";
+            "component 'rover_line': --hw needs the device's safe bytes: give safe = \"...\", the bytes that stop it, "
+            "or safe = false in a robot file (measures_only = true in a system) if it moves nothing";
     }
     SECTION("unplugged") {
         run.rover->unplug();

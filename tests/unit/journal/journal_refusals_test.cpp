@@ -31,15 +31,15 @@ TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
     CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"somebody","do":"Stop","with":{}})")
               .starts_with("J:2: 'somebody' is not a kind of actor: expected one of run, console"));
     CHECK(it.error_with(2, R"({"at":[2,3,0],"who":"console","do":"Stop","with":{}})") ==
-          "J:3: tick 6 of start 1 comes after tick 3 of start 2");
+          "J:3: 'at' must not go back, but tick 6 of start 1 comes after tick 3 of start 2");
     CHECK(it.error_with(2, R"({"at":[1,4,0],"hash":"0000000000000000"})")
               .starts_with("J:2: this run differs from the journal's run: its hash at tick 4 of start 1 was "
                            "0000000000000000, not "));
     CHECK(it.error_with(1, "[]") == "J:1: is not a journal of nezumi run --journal");
     CHECK(it.error_with(1, R"({"journal":2,"version":"0.0"})") ==
-          "J is a journal of nezumi 0.0 in the format 2: this is nezumi test, which reads 1");
+          "J is a journal of nezumi 0.0 in the format 2: this is nezumi test, which reads only format 1");
     CHECK(it.error_with(1, R"({"journal":2,"version":"\u001b\n"})") ==
-          R"(J is a journal of nezumi \x1b\x0a in the format 2: this is nezumi test, which reads 1)");
+          R"(J is a journal of nezumi \x1b\x0a in the format 2: this is nezumi test, which reads only format 1)");
     CHECK(it.error_with(1, R"({"journal":1,"version":"test","hardware":true})") ==
           "J is the journal of a run on hardware: it is only a record, and can't be replayed");
     CHECK(replay(it.folder.path("none")).error == it.folder.path("none").string() + ": there is no such file");
@@ -84,7 +84,7 @@ TEST_CASE("a journal whose lines are not those of a run is refused at the line",
     CHECK(it.error_with(3, R"({"at":[1,6,1],"end":"soon","hash":"0000000000000000"})") ==
           "J:3: 'end' must be duration, stopped or error");
     CHECK(it.error_with(3, R"({"at":[2,0,1],"end":"stopped","hash":"0000000000000000"})") ==
-          "J:3: tick 0 of start 2 is never reached: the run is at tick 3 of start 1");
+          "J:3: this entry is for tick 0 of start 2, which the run never reaches: it is at tick 3 of start 1");
     CHECK(it.error_with(1, R"({"journal":1,"version":"test"})") ==
           "J:1: expected system, working_folder, installed, seed, seed_wins and files");
     CHECK(it.error_with(1, R"({"journal":1,"version":"test","system":"s","working_folder":"w","seed":0,)"

@@ -210,7 +210,7 @@ TEST_CASE("an act that was prepared before a restart is refused after it", "[jou
     CHECK_FALSE(run.live->fits(prepared));
     const auto added = run.live->commit(std::move(prepared), {});
     REQUIRE_FALSE(added);
-    CHECK(added.error().message == "the system has changed while this was read: try again");
+    CHECK(added.error().message == "the system has changed while the files were read: try again");
 }
 
 TEST_CASE("a process that is killed leaves a journal that replays to its last whole line", "[journal]") {

@@ -90,12 +90,10 @@ TEST_CASE("another robot's calibration is refused", "[lua][calibration]") {
     const CalibratedProject project;
     CHECK(project.refused("calibration { robot = 'moose', model = 'raspimouse' }") ==
           "mouse.calibration.lua: is the calibration of another robot: its name is 'moose', not 'mouse'. Calibrate "
-          "this one, "
-          "or move the file away");
+          "this robot, or move the file away");
     CHECK(project.refused("calibration { robot = 'mouse', model = 'ev3' }") ==
           "mouse.calibration.lua: is the calibration of another robot: its model is 'ev3', not 'raspimouse'. Calibrate "
-          "this "
-          "one, or move the file away");
+          "this robot, or move the file away");
 }
 
 TEST_CASE("the serial number of the computer distinguishes two robots", "[lua][calibration]") {
@@ -110,7 +108,7 @@ TEST_CASE("the serial number of the computer distinguishes two robots", "[lua][c
     REQUIRE_FALSE(other);
     CHECK(other.error().message ==
           "is the calibration of another robot: its computer's number is '00000000aaaa', not "
-          "'00000000bbbb'. Calibrate this one, or move the file away");
+          "'00000000bbbb'. Calibrate this robot, or move the file away");
     const auto none = use_calibration(*spec, robot, files, {.is_needed = false, .serial = ""});
     REQUIRE_FALSE(none);
     CHECK(none.error().message.find("its computer's number is '00000000aaaa', not ''") != std::string::npos);
@@ -193,7 +191,7 @@ TEST_CASE("a camera that was calibrated with pictures of another size is refused
     CHECK(
         said ==
         "system.lua:2: camera 'eye' was calibrated with 640 x 480 pixels, and here it has 320 x 240: set its width and "
-        "height to those, or calibrate it again with nezumi calibrate camera");
+        "height to that size, or calibrate it again with nezumi calibrate camera");
     CHECK(project.refused(head + "cameras = { nose = { width = 640, height = 480, " + lens).empty());
     CHECK(project.refused(head + "cameras = { eye = { width = 320, height = 240, " + lens).empty());
 }

@@ -82,7 +82,7 @@ TEST_CASE("_ENV can't be used", "[lua][syntax]") {
                  "local function _ENV() end", "local f = function() return function() return _ENV end end", "_ENV:x()",
                  "function _ENV:f() end", "return (_ENV)");
     CAPTURE(text);
-    CHECK(errors(text).find("'_ENV' can't be used: globals are known by their names alone") != std::string::npos);
+    CHECK(errors(text).find("'_ENV' can't be used: write the names of globals directly") != std::string::npos);
     CHECK(errors("local t = { _ENV = 1 } print(t._ENV, t:_ENV(), '_ENV', [[_ENV]]) -- _ENV") == "");
 }
 

@@ -252,6 +252,7 @@ TEST_CASE("an explanation that is impossible is refused with the reason", "[lua]
     CHECK(rig.live->explain_next("mouse").error().message == "mouse is not a behaviour: it has no lines");
     CHECK(rig.live->explain_next("contoller").error().message.find("controller") != std::string::npos);
     REQUIRE(rig.live->act(Deactivate{"controller"}, {}));
-    CHECK(rig.live->explain_next("controller").error().message == "controller is INACTIVE: nothing of it is executed");
+    CHECK(rig.live->explain_next("controller").error().message ==
+          "controller is INACTIVE: only ACTIVE components are executed");
     CHECK(rig.live->explanation("nobody", 1).error().message == "nobody is gone");
 }

@@ -61,7 +61,7 @@ TEST_CASE("an emergency stop continues after a restart, which is reported, and r
         CHECK(sent(it).vx == 0.25);
         CHECK(std::abs(speed()) < 0.001);
         CHECK(std::count_if(it.log.begin(), it.log.end(), [](const LogLine& line) {
-                  return line.text == "still stopped: rearm() lets the robots drive again";
+                  return line.text == "the emergency stop is still active: rearm() lets the robots drive again";
               }) == 1);
     }
     REQUIRE(it.live->act(Restart{}, {}));
@@ -71,7 +71,7 @@ TEST_CASE("an emergency stop continues after a restart, which is reported, and r
     it.log.clear();
     REQUIRE(it.live->act(Restart{}, {}));
     CHECK_FALSE(it.live->system().is_stopped());
-    CHECK_FALSE(it.said("still stopped"));
+    CHECK_FALSE(it.said("the emergency stop is still active"));
 }
 
 TEST_CASE("a refused act changes nothing and gives the reason", "[lua][act]") {
@@ -80,7 +80,7 @@ TEST_CASE("a refused act changes nothing and gives the reason", "[lua][act]") {
         const auto done = it.live->act(act, {});
         return done ? "" : done.error().message;
     };
-    CHECK(error(Reload{.component = "mouse", .text = "x"}) == "mouse has no script: only behaviours reload");
+    CHECK(error(Reload{.component = "mouse", .text = "x"}) == "mouse has no script: only behaviours can be reloaded");
     CHECK(error(Rollback{"controller"}) == "controller has no version before this one; still running version 1");
     CHECK(error(Remove{"contoller"}) == "there is no component 'contoller' (did you mean 'controller'?)");
     CHECK(error(SetParameter{"controller", "speed_x", 2.0}) ==

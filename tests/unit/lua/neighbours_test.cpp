@@ -172,7 +172,7 @@ TEST_CASE("of a message with more than ten numbers the first ten are sent, and t
     const OutPortBase* port = it.live->system().find("a")->find_out_port("near");
     const auto seen = static_cast<const OutPort<std::vector<Neighbour>>*>(port)->read();
     CHECK(seen.front().message == std::vector<double>(10, 7.0));
-    CHECK(it.said("input 'say': it says 12 numbers: the first 10 are sent (reported once)"));
+    CHECK(it.said("input 'say' got 12 numbers, and a robot can say only 10: the others are not sent (reported once)"));
 }
 
 namespace {

@@ -44,7 +44,8 @@ TEST_CASE("every member has a type and documentation", "[lua][objects]") {
 TEST_CASE("a real robot cannot be moved by teleport", "[lua][objects]") {
     Objective it;
     it.objects->set_hardware(true);
-    CHECK(it.run("mouse:teleport { x = 0 }") == "box.lua:1: teleport: this is a real robot");
+    CHECK(it.run("mouse:teleport { x = 0 }") ==
+          "box.lua:1: teleport: this works only in simulation, and this is a real robot");
 }
 
 TEST_CASE("an object survives a restart, and gives an error if its component is gone", "[lua][objects]") {

@@ -140,9 +140,9 @@ TEST_CASE("a seek that is given up leaves the present untouched", "[lua][past]")
 TEST_CASE("a moment that never was is refused", "[lua][past]") {
     PastRig it;
     it.tick(100);
-    CHECK(it.seek(101) == "main ends at 1 s");
+    CHECK(it.seek(101) == "main ends at 1 s: no later time can be reached");
     CHECK(it.seek(5, "other") == "there is no branch 'other': branches() lists them");
-    CHECK(it.seek(Seek{.tick = 5, .start = 2}) == "main ends at 1 s");
+    CHECK(it.seek(Seek{.tick = 5, .start = 2}) == "main ends at 1 s: no later time can be reached");
     CHECK(it.seek(Seek{.tick = 5, .start = -1}) == "expected a start from 1 on, or 0 for the last one, got -1");
     const auto past = it.live->begin_seek({.tick = 50});
     REQUIRE(past);
@@ -150,7 +150,7 @@ TEST_CASE("a moment that never was is refused", "[lua][past]") {
     it.act(Restart{});
     const auto done = it.live->commit(**past, user);
     REQUIRE_FALSE(done);
-    CHECK(describe(done.error()) == "the system has changed while the past was computed");
+    CHECK(describe(done.error()) == "the system has changed while the past was computed: try again");
 }
 
 TEST_CASE("a system that others are connected with, or that has no file, does not go back", "[lua][past]") {
@@ -193,7 +193,7 @@ TEST_CASE("a past that becomes another one is refused with its tick, and the pre
     for (int i = 0; i < 250; ++i) (*live)->tick();
     const std::uint64_t now = (*live)->trace_hash();
     CHECK((*live)->act(Seek{.tick = 220}, user).error().message ==
-          "the past can't be computed again: at tick 100 of start 1 it differs from the original run");
+          "the past can't be computed again: at tick 100 of start 1 the computed run differs from the original run");
     CHECK((*live)->trace_hash() == now);
     CHECK_FALSE((*live)->is_past());
 }

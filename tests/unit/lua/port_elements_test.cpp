@@ -21,13 +21,15 @@ TEST_CASE("the error about a missing element has its index and the number of ele
         "robot_controller.lua:3: attempt to perform arithmetic on a nil value (field 'integer index'): element 9 of 4 "
         "of input 'd'");
     CHECK_THAT(fails("local i = 0 return d:read()[i] * 2"),
-               Catch::EndsWith("nil value (field '?'): element 0 of 4 of input 'd'"));
+               Catch::EndsWith("nil value (field '?'): there is no element 0 among the 4 of input 'd'"));
     CHECK_THAT(fails("if d:read()[9] > 3 then end"),
-               Catch::EndsWith("attempt to compare number with nil: element 9 of 4 of input 'd'"));
-    CHECK_THAT(fails("for i = 1, d:read()[9] do end"),
-               Catch::EndsWith("bad 'for' limit (number expected, got nil): element 9 of 4 of input 'd'"));
-    CHECK_THAT(fails("for i = d:read()[9], 1 do end"), Catch::EndsWith(": element 9 of 4 of input 'd'"));
-    CHECK_THAT(fails("return d:read()[5].x"), Catch::EndsWith(": element 5 of 4 of input 'd'"));
+               Catch::EndsWith("attempt to compare number with nil: there is no element 9 among the 4 of input 'd'"));
+    CHECK_THAT(
+        fails("for i = 1, d:read()[9] do end"),
+        Catch::EndsWith("bad 'for' limit (number expected, got nil): there is no element 9 among the 4 of input 'd'"));
+    CHECK_THAT(fails("for i = d:read()[9], 1 do end"),
+               Catch::EndsWith(": there is no element 9 among the 4 of input 'd'"));
+    CHECK_THAT(fails("return d:read()[5].x"), Catch::EndsWith(": there is no element 5 among the 4 of input 'd'"));
     // What has nothing to do with it says nothing of it.
     CHECK_THAT(fails("local seen = d:read()[9]\n  return ({})[1] * 2"), Catch::EndsWith("(field 'integer index')"));
     CHECK_THAT(fails("local seen, t = d:read()[9] or 0, {} return t.x * 2"), Catch::EndsWith("(field 'x')"));

@@ -38,7 +38,7 @@ struct TwoPhases : LiveRig {
     std::string path;
 };
 
-constexpr auto changed = "the system has changed while this was read: try again";
+constexpr auto changed = "the system has changed while the files were read: try again";
 
 }  // namespace
 

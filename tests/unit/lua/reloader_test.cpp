@@ -21,8 +21,8 @@ TEST_CASE("a reload with a state that is too large is refused, and the old versi
     ScriptComponent& it = world.add("large", "large.lua", {}, Budget{20.0});
     REQUIRE(it.state() == LifeState::active);
     CHECK(world.change("large.lua", text + " -- saved")
-              .find("the new version can't take over the state, so the old version continues: it holds more than "
-                    "250000 values") != Text::npos);
+              .find("the new version can't take over the state, so the old version continues: a copy can have at "
+                    "most 250000 values") != Text::npos);
     CHECK(it.state() == LifeState::active);
     CHECK(it.version() == 1);
 }

@@ -207,8 +207,8 @@ TEST_CASE("an error in the changes of a robot has its location", "[lua][system_f
           "2: robot 'm': unknown field 'sensors.rigt' (did you mean 'right'?)");
     CHECK(robots.system_error("base = 'plain'").find("unknown field 'base'") != std::string::npos);
     CHECK(robots.system_error("sensors = { left = { response = function(d) return d end } }") ==
-          "2: robot 'm': field 'sensors.left.response': a function must be in a robot file: write one with base = ..., "
-          "or give a 'table'");
+          "2: robot 'm': field 'sensors.left.response': only a robot file can have a function: write a robot file with "
+          "base = ..., or give a 'table'");
 }
 
 TEST_CASE("a saved system contains the changes of its robots", "[lua][system_text]") {

@@ -257,8 +257,8 @@ TEST_CASE("a scan covers a full turn by default", "[lua][robot_file]") {
     CHECK(robot_error(with("sensors = { a = { kind = 'scan', cone = 7 } }")) ==
           "r.lua:2:34: robot_model: field 'sensors.a.cone' expected a field of view above 0 and up to 2 pi rad, got 7");
     CHECK(robot_error(with("sensors = { a = { kind = 'scan', rays = 1 } }")) ==
-          "r.lua:2:34: robot_model: field 'sensors.a.rays' expected 2 or more of a scan, got 1: a single ray is a "
-          "'range'");
+          "r.lua:2:34: robot_model: field 'sensors.a.rays' expected 2 or more rays, got 1: for a single ray use "
+          "kind = 'range'");
     CHECK(robot_error(with("sensors = { a = { kind = 'scan', minimum = 2 } }")) ==
           "r.lua:2:34: robot_model: field 'sensors.a.minimum' expected less than the range of 0.6 m, got 2");
     CHECK(robot_error(with("sensors = { a = { kind = 'scan', table = 'x.csv' } }"))
@@ -281,7 +281,7 @@ TEST_CASE("a sensor of neighbours has a port of its own type, and what a robot s
           "port 'p': a NeighbourSeq carries neighbours, and 'eye' is another kind of sensor");
     CHECK(error("p = { type = 'NeighbourSeq', from = { 'near', 'far' } }") == "port 'p': 'near' needs its own port");
     CHECK(error("p = { type = 'NeighbourSeq', from = 'near', quantity = 'distance' }") ==
-          "port 'p': 'near' has no `quantity`");
+          "port 'p': 'near' is a neighbours sensor, which has no `quantity`");
     CHECK(error("p = { type = 'TimedLongSeq', to = 'say' }") ==
           "port 'p': 'say' takes a TimedDoubleSeq, not a TimedLongSeq");
     CHECK(error("p = { type = 'TimedDoubleSeq', to = 'say' }, q = { type = 'TimedDoubleSeq', to = 'say' }") ==

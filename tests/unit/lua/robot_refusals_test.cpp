@@ -7,14 +7,14 @@ using namespace nezumi;
 using namespace nezumi::robot_files;
 
 TEST_CASE("a file that is not a robot file is refused with one message", "[lua][robot_file][watchdog]") {
-    CHECK(robot_error("") == "r.lua: a robot file ends with `return robot_model { ... }`");
-    CHECK(robot_error(with("").substr(7)) == "r.lua: a robot file ends with `return robot_model { ... }`");
-    CHECK(robot_error("return {}") == "r.lua: a robot file ends with `return robot_model { ... }`");
-    CHECK(robot_error("return robot_model") == "r.lua: a robot file ends with `return robot_model { ... }`");
+    CHECK(robot_error("") == "r.lua: a robot file must end with `return robot_model { ... }`");
+    CHECK(robot_error(with("").substr(7)) == "r.lua: a robot file must end with `return robot_model { ... }`");
+    CHECK(robot_error("return {}") == "r.lua: a robot file must end with `return robot_model { ... }`");
+    CHECK(robot_error("return robot_model") == "r.lua: a robot file must end with `return robot_model { ... }`");
     CHECK(robot_error("return robot_model()") == "r.lua:1: robot_model: expected a table, got nil");
     CHECK(robot_error("return robot_model 'x'") == "r.lua:1: robot_model: expected a table, got string");
     CHECK(robot_error("local a = " + with("").substr(7) + "\n" + with("")) ==
-          "r.lua:3: robot_model: is called twice, first in line 1");
+          "r.lua:3: robot_model: a file can have only one, and line 1 has one already");
     CHECK_THAT(robot_error("return robot_modell {}"), Catch::StartsWith("r.lua:1:8: "));
     CHECK_THAT(robot_error("robot 'm' {}"), Catch::StartsWith("r.lua:1:1: "));
     CHECK_THAT(robot_error("return robot_model {"), Catch::StartsWith("r.lua:1: "));

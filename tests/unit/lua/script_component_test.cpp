@@ -97,7 +97,7 @@ function on_execute() out:write(a.double(21)) assert(require "b".twice(2) == 4) 
     REQUIRE(rig.component->script().modules().size() == 3);
     CHECK(rig.component->script().modules()[1].path == "behaviors/b.lua");
 
-    CHECK(refusal("require 'a'") == "robot_controller.lua:1: require 'a': there are no modules here");
+    CHECK(refusal("require 'a'") == "robot_controller.lua:1: require 'a': this script can't load modules");
 }
 
 TEST_CASE("math.random follows the run's seed, the component's name and the version", "[lua][component]") {

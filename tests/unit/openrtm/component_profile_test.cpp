@@ -136,7 +136,7 @@ TEST_CASE("constraints are bounds and choices; what can't be said here is a rema
 
 TEST_CASE("each element of a profile without counterpart in nezumi gives one remark", "[openrtm][profile]") {
     CHECK(shipped("light_tower_01").remarks ==
-          std::vector<std::string>{"executes: PERIODIC at 1 Hz, by the rate of the system here",
+          std::vector<std::string>{"executes: PERIODIC at 1 Hz; nezumi uses the system's rate",
                                    "service port 'towerServices': provides LampService of Lamps.idl", "language: Cxx"});
     CHECK(remarks(shipped("grid_walker_02"),
                   "service port 'mapClient': requires RTC::GridMapServer of C:\\A\\idl\\GridMap.idl"));
@@ -146,7 +146,7 @@ TEST_CASE("each element of a profile without counterpart in nezumi gives one rem
           "language: Python", "operating system: Windows", "library: SheetLibrary 4.1 https://example.com"}) {
         CHECK(remarks(sheet, line));
     }
-    CHECK(remarks(names, "executes: EVENTDRIVEN, by the rate of the system here"));
+    CHECK(remarks(names, "executes: EVENTDRIVEN; nezumi uses the system's rate"));
     CHECK(remarks(names, "executionType: ExtTrigExecutionContext"));
     CHECK(remarks(shipped("other_tool_03"), "service port 'empty'"));
 }
@@ -207,7 +207,7 @@ TEST_CASE("a profile reads back as it was written", "[openrtm][profile]") {
     CHECK(read->doc == profile.doc);
     CHECK(read->vendor == profile.vendor);
     CHECK(read->callbacks == profile.callbacks);
-    CHECK(read->remarks == std::vector<std::string>{"executes: PERIODIC at 100 Hz, by the rate of the system here"});
+    CHECK(read->remarks == std::vector<std::string>{"executes: PERIODIC at 100 Hz; nezumi uses the system's rate"});
     REQUIRE(read->ports.size() == 2);
     CHECK((read->ports[0].queue == 7 && read->ports[0].doc == "nearer\tis larger"));
     CHECK((read->ports[1].safe == "{\"vx\":0.5}" && read->ports[1].doc == "two\nlines"));

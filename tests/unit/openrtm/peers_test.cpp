@@ -163,7 +163,7 @@ TEST_CASE("a console shows that an RTC hangs or is gone, or that the name servic
     CHECK(done(rig, "Killed0", {.what = What::activate}) ==
           "! 'Killed0' was not found: its entry in the name service is stale");
     static_cast<Names&>(rig).kill();
-    CHECK(asked(rig, {}) == "! no name service answers at " + rig.address() + ": start one, as omniNames");
+    CHECK(asked(rig, {}) == "! no name service answers at " + rig.address() + ": start one, for example omniNames");
 }
 
 TEST_CASE("waiting questions are answered at the end of a run", "[openrtm][peers][wallclock]") {

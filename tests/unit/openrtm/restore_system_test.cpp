@@ -122,11 +122,11 @@ TEST_CASE("a component whose connection or values are refused is not activated",
     CHECK_FALSE(rtcs.restore(two_components()));
     CHECK(rtcs.told == Lines{"connected: Out0.out to In0.in", "Out0: set default",
                              "In0: set 'default': it refuses these values", "activated: Out0",
-                             "not activated: In0: see above"});
+                             "not activated: In0: a connection or its configuration was refused, see above"});
     rtcs = {};
     rtcs.refused["connect pc.host_cxt/Out0.out pc.host_cxt/In0.in"] = "it refuses the connection (RTC_ERROR)";
     CHECK_FALSE(rtcs.restore(two_components()));
-    CHECK(rtcs.told.back() == "not activated: In0: see above");
+    CHECK(rtcs.told.back() == "not activated: In0: a connection or its configuration was refused, see above");
     CHECK(rtcs.asked.back() == "pc.host_cxt/In0 use default");
 }
 

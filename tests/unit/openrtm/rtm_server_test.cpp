@@ -173,7 +173,7 @@ TEST_CASE("an impossible connection to an RTC is refused with the reason", "[ope
     CHECK(error(Connect{"rtm:Out0.out", "rtm:In0.in"}) ==
           "both ends are ports of other programs: one of them must be of this system");
     CHECK(error(Connect{"rtm:Out0.out", "other.target_velocity_in"}) ==
-          "rtm:Out0.out is a port of another program, which sees only what is exported: write rtm { export = { "
+          "rtm:Out0.out is a port of another program, which sees only exported components: write rtm { export = { "
           "\"other\" } }");
     CHECK(error(Connect{"controller.out", "rtm:Mouse0.target_velocity_in"}) ==
           "controller.out is connected to rtm:Mouse0.target_velocity_in already");
@@ -215,8 +215,8 @@ TEST_CASE("a connection made by an RTC or a tool is an act", "[openrtm][server]"
     rig.turn();
     CHECK(rig.told.links.size() == 2);
     CHECK(rig.said_lines.back() ==
-          "an RTC or a tool has connected rtm:Out 0.out to controller.in, which is not shown: expected "
-          "\"rtm:NAME.port\" or \"rtm:HOST.host_cxt/NAME.port\", got 'rtm:Out 0.out'");
+          "an RTC or a tool has connected rtm:Out 0.out to controller.in, but the system can't show this "
+          "connection: expected \"rtm:NAME.port\" or \"rtm:HOST.host_cxt/NAME.port\", got 'rtm:Out 0.out'");
 }
 
 TEST_CASE("connections between exported components are shown, and RTCs may change them", "[openrtm][server]") {

@@ -71,14 +71,12 @@ TEST_CASE("a folder that has files and was not pushed to before is refused by an
     for (const std::string name :
          {"Documents", "Documents/", "./Documents", "papers", "~/Documents", "here/Documents"}) {
         CAPTURE(name);
-        CHECK(refusal(robot, name) ==
-              name +
-                  " has files and was not pushed to before: choose another folder with --to, or "
-                  "move it away there");
+        CHECK(refusal(robot, name) == name +
+                                          " has files and was not pushed to before: choose another folder with --to, "
+                                          "or move it away on the robot");
     }
     CHECK(refusal(robot, "Documents/letter") == "Documents/letter: Not a directory");
-    CHECK(refusal(robot, "~pi") ==
-          "~pi: expected a path, or one that begins with ~/; for a folder of this name write ./~pi");
+    CHECK(refusal(robot, "~pi") == "~pi: expected / after ~; for a folder with this name write ./~pi");
     CHECK(tree_of(robot.home()) == robot.before);
 }
 

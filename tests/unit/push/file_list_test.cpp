@@ -33,7 +33,7 @@ TEST_CASE("a list truncated anywhere is refused", "[push]") {
         CAPTURE(size);
         const auto list = read_file_list(text.substr(0, size));
         REQUIRE_FALSE(list);
-        CHECK(list.error().message == "is damaged: remove it there, then push again");
+        CHECK(list.error().message == "is damaged: remove it on the robot, then push again");
     }
 }
 

@@ -184,5 +184,5 @@ TEST_CASE("of two pushes to one folder at a time the second is refused", "[push]
                            }})
             .sent;
     CHECK(sent);
-    CHECK(second.ends_with("another push to it is running: wait for its end"));
+    CHECK(second.ends_with("another push to this folder is running: wait until it ends"));
 }

@@ -151,12 +151,14 @@ TEST_CASE("a message without a channel and a channel without its schema are refu
     McapWriter writer;
     const std::string begin = writer.begin();
     writer.add({{}, {message(3, 10, "lost")}});
-    CHECK(error_of(begin + writer.end()).find("the message has no channel 3") != std::string::npos);
+    CHECK(error_of(begin + writer.end())
+              .find("the message is of channel 3, but the file has no such channel before it") != std::string::npos);
 
     std::string unchunked = read_whole("tests/unit/record/others/unchunked.mcap", "x").value();
     const std::size_t channel = unchunked.find("/distance") - 4 - 2;  // the number of its schema
     unchunked[channel] = 9;
-    CHECK(error_of(unchunked).find("channel '/distance' refers to schema 9, which is not before it in the file") !=
+    CHECK(error_of(unchunked).find(
+              "channel '/distance' refers to schema 9, but the file has no such schema before this channel") !=
           std::string::npos);
 }
 

@@ -88,7 +88,7 @@ TEST_CASE("the returns and early decisions of a function are observed", "[lua][s
     CHECK(observe("f = function() local x = 1 if x > 1 then x = 2 end while x > 3 do end return x < 2 end").text ==
           "function() local x = 1 if x > 1 then x = 2 end while x > 3 do end return h(4,h(0,x ,( 2))) end");
     CHECK(observe("f = function() return any(list, function() return a < 1 end) end").why ==
-          "several functions begin on its line");
+          "several functions begin on the line of the condition");
 }
 
 TEST_CASE("a condition with several lines keeps its line numbers", "[lua][scenario][condition]") {

@@ -54,9 +54,10 @@ TEST_CASE("a golden outside of the project is refused", "[lua][scenario][golden]
         const auto outside = rig.folder().path().parent_path() / "it.csv";
         for (const bool update : {true, false}) {
             rig.options.update_goldens = update;
-            CHECK_THAT(outcome_of(rig.run()), Catch::EndsWith("it_test.lua:3: golden: '" + std::string(name) +
-                                                              "' lies outside of the project: a golden is saved in " +
-                                                              rig.folder().path().string() + " or below"));
+            CHECK_THAT(outcome_of(rig.run()),
+                       Catch::EndsWith("it_test.lua:3: golden: '" + std::string(name) +
+                                       "' lies outside of the project: a golden must be saved in " +
+                                       rig.folder().path().string() + " or below"));
             CHECK_FALSE(std::filesystem::exists(outside));
         }
     }
@@ -123,7 +124,8 @@ TEST_CASE("the content of a golden's file is shown as short, printable text", "[
     write_golden(rig);
     const std::string text = text_of_file(rig.folder().path("it.csv"));
     static_cast<void>(rig.folder().write("it.csv", replaced(text, "time,", "time\x1b[31m,")));
-    CHECK(outcome_of(rig.run()) == "failed: it_test.lua:3: golden 'it.csv': 'time\\x1b[31m' is only in the file");
+    CHECK(outcome_of(rig.run()) ==
+          "failed: it_test.lua:3: golden 'it.csv': the run has no column 'time\\x1b[31m', which the file has");
     static_cast<void>(
         rig.folder().write("it.csv", replaced(text, "\n0.01,0,", "\n0.01," + std::string(5000, 'x') + ",")));
     CHECK(outcome_of(rig.run()).size() < 300);
@@ -173,7 +175,7 @@ TEST_CASE("a golden belongs to one line of a run, or to several runs with the sa
     REQUIRE(end.reports.size() == 2);
     CHECK(describe(end.reports.back().result.error) ==
           path + ":5: golden 'it.csv': one, " + path +
-              ":2, has already written a different one there: choose another name");
+              ":2, has already written other values to this file: choose another name");
     CHECK_FALSE(end.measured.back().passed);
     CHECK(both.session("one").summary.could_not_run == 0);
 

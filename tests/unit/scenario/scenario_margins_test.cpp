@@ -67,7 +67,7 @@ TEST_CASE("always has the least margin over time, never that of the opposite", "
     CHECK(shown(watched({.kind = Kind::always}, {3, 1, -0.5})) == "-0.5 at 0.3");
     CHECK(shown(watched({.kind = Kind::always}, {infinite, 2, infinite})) == "2 at 0.2");
     CHECK(shown(watched({.kind = Kind::always}, {infinite})) == "none: x < 1: does not compare numbers");
-    CHECK(shown(watched({.kind = Kind::always}, {})) == "none: it was not evaluated");
+    CHECK(shown(watched({.kind = Kind::always}, {})) == "none: the condition was not evaluated");
     CHECK(shown(watched({.kind = Kind::never}, {-3, -1, -2})) == "1 at 0.2");
     CHECK(shown(watched({.kind = Kind::never}, {-3, 0.25})) == "-0.25 at 0.2");
 }
@@ -124,11 +124,10 @@ TEST_CASE("the summary has the least margin of each condition, and its run", "[s
     CHECK(text_of(all[2]) == "never 'touches' of a: no margin: b is true or false");
     runs.push_back(run_with(
         "a [x=4]", {{.kind = "eventually", .condition = "stops", .margin = -2, .comparison = "v < 1", .time = 9},
-                    {.kind = "always", .condition = "keeps off", .why = "it was not evaluated"}}));
-    CHECK(
-        text_of(summarize_margins(runs)[0]) ==
-        "always 'keeps off' of a: least margin of 3 runs 0.25 m, at 2.00 s of a [x=2] (1 without a margin: it was not "
-        "evaluated)");
+                    {.kind = "always", .condition = "keeps off", .why = "the condition was not evaluated"}}));
+    CHECK(text_of(summarize_margins(runs)[0]) ==
+          "always 'keeps off' of a: least margin of 3 runs 0.25 m, at 2.00 s of a [x=2] (1 without a margin: the "
+          "condition was not evaluated)");
     CHECK(text_of(summarize_margins(runs)[1]) ==
           "eventually 'stops' of a: least margin of 3 runs -2, at 9.00 s of a [x=4]; least time left of 3 runs 0.50 s, "
           "at 2.00 s of a [x=2]");

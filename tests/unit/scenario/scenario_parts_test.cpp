@@ -149,7 +149,7 @@ TEST_CASE("folders that are not parts of one session are refused", "[scenario][p
     REQUIRE_FALSE(none);
     CHECK(none.error().message == "has no results of nezumi test --shard: expected a folder that it wrote with -o");
     rig.folder().write("part-1/results/plan-1-of-2", "nezumi plan 1\nand no more");
-    CHECK(find_plan({rig.part(1)}).error().message == "has no plan that this nezumi can read");
+    CHECK(find_plan({rig.part(1)}).error().message == "has no plan that this version of nezumi can read");
     // A part that is made again takes the place of one of other runs.
     rig.make_part(1, 2);
     CHECK(find_plan({rig.part(1), rig.part(2)}));

@@ -155,7 +155,7 @@ TEST_CASE("runs that should be equal are reported with their hashes, or with the
         return agree({first, second}, {"it_test.lua", 1}).error.message;
     };
     CHECK(told(passed, passed).empty());
-    CHECK(told(passed, failed) == "the same run differs: the first passed, number 2 failed");
+    CHECK(told(passed, failed) == "repetitions of this run differ: the first passed, number 2 failed");
     CHECK(told(failed, {.hash = 0x2a}) ==
-          "the same run differs: the first has hash 0000000000000007, number 2 has hash 000000000000002a");
+          "repetitions of this run differ: the first has hash 0000000000000007, number 2 has hash 000000000000002a");
 }

@@ -229,7 +229,7 @@ TEST_CASE("a grey picture is reported once and not used", "[vision][color]") {
     CHECK_FALSE(watch.visible());
     CHECK(watch.port("visible").count() > 10);
     CHECK(watch.said ==
-          std::vector<std::string>{"image: gray8 has no colours: expected rgb8 or bgr8: nothing can be seen in it"});
+          std::vector<std::string>{"image: gray8 has no colours: expected rgb8 or bgr8: the picture is not searched"});
 }
 
 TEST_CASE("a detector publishes its result after the latency, and then continues with the newest picture",

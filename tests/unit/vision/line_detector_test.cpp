@@ -188,7 +188,7 @@ TEST_CASE("a detector of lines reports a torn picture too", "[vision][line]") {
     watch.run(5);
     CHECK_FALSE(watch.visible());
     CHECK(watch.said == std::vector<std::string>{
-                            "image: 160 x 120 pixels of rgb8 need 57600 bytes, got 1000: nothing can be seen in it"});
+                            "image: 160 x 120 pixels of rgb8 need 57600 bytes, got 1000: the picture is not searched"});
 }
 
 TEST_CASE("the parameters of a detector of lines are taken within their bounds and refused beyond", "[vision][line]") {

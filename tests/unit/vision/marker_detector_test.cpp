@@ -195,8 +195,8 @@ TEST_CASE("a picture whose size differs from its intrinsics is reported and not 
     watch.show(picture_of(*watch.system.world(), {.width = 320, .height = 240, .field_of_view = field_of_view}));
     watch.run(5);
     CHECK_FALSE(watch.visible());
-    CHECK(watch.said ==
-          std::vector<std::string>{"image: 320 x 240 pixels, but intrinsics for 640 x 480: nothing can be seen in it"});
+    CHECK(watch.said == std::vector<std::string>{
+                            "image: 320 x 240 pixels, but intrinsics for 640 x 480: the picture is not searched"});
 }
 
 TEST_CASE("a camera whose distortion folds its image goes to ERROR", "[vision][detector]") {
@@ -287,8 +287,9 @@ TEST_CASE("a broken picture is reported once and not used", "[vision][detector]"
         CHECK_FALSE(watch.visible());
     }
     CHECK(watch.port("pos").count() == 0);
-    CHECK(watch.said == std::vector<std::string>{
-                            "image: 640 x 480 pixels of rgb8 need 921600 bytes, got 1000: nothing can be seen in it"});
+    CHECK(watch.said ==
+          std::vector<std::string>{
+              "image: 640 x 480 pixels of rgb8 need 921600 bytes, got 1000: the picture is not searched"});
     watch.show(good);
     watch.run(5);
     CHECK(watch.visible());

@@ -210,7 +210,7 @@ TEST_CASE("a driver is informed when another user takes over", "[web]") {
     CHECK(told.empty());
     REQUIRE(rig.live->act(Hold{message.port, Velocity2D{}, true}, {Actor::Kind::console}));
     drives.serve(now);
-    CHECK(told == "1 mouse.target_velocity_in: another user drives it, or it was removed");
+    CHECK(told == "1 mouse.target_velocity_in: another user drives this port, or the port was removed");
 }
 
 TEST_CASE("after half a second of silence a drive is zero for a tick, then released", "[web]") {

@@ -119,7 +119,7 @@ TEST_CASE("names that lead out of the project, or to hidden or other files, are 
     CHECK(EditedFiles::check_name("../x.lua").error().message ==
           "'../x.lua' is not a file name in the project: no part may be empty or begin with a dot");
     CHECK(EditedFiles::check_name("x.sh").error().message ==
-          "'x.sh' can't be edited here: a name ends in .lua, .msg, .idl");
+          "'x.sh' can't be edited here: only files that end in .lua, .msg, .idl can");
     CHECK(EditedFiles::check_name("行動/案内.lua"));
     CHECK(project.on_disk("../outside/secret.lua") == "secret\n");
 }
@@ -176,7 +176,7 @@ TEST_CASE("a full disk is reported and loses nothing", "[web][editor]") {
         const auto saved = project.files.write("behaviors/guide.lua", std::string(2000, '-'), mark);
         REQUIRE_FALSE(saved);
         CHECK(describe(saved.error()) ==
-              "behaviors/guide.lua: can't be written: File too large: the file is as it was");
+              "behaviors/guide.lua: can't be written: File too large: the file is unchanged");
     }
     CHECK(project.on_disk("behaviors/guide.lua") == "one\n");
     for (const auto& entry : fs::directory_iterator(project.root / "behaviors"))
@@ -196,7 +196,7 @@ TEST_CASE("the versions of a file are its first text and each saved text, at mos
     CHECK(versions[0].saved_at > 1600000000);
     CHECK(project.files.version(name, 1) == "one\n");
     CHECK(project.files.version(name, 3) == "three\n");
-    CHECK(project.files.version(name, 4).error().message == "version 4 is not kept");
+    CHECK(project.files.version(name, 4).error().message == "version 4 is no longer available");
     CHECK(project.on_disk(".nezumi/versions/.gitignore") == "*\n");
     CHECK(project.files.names() == std::vector<std::string>{name});
 

@@ -122,7 +122,7 @@ TEST_CASE("a pupil's behaviours replace those that run, but no system file, and 
     scratch.write("pupil/behaviors/other.lua", "-- a module");
     const auto none = (*shared)->take_behaviors(scratch.path("pupil"));
     REQUIRE_FALSE(none);
-    CHECK(none.error().message == "you have none of the behaviours that run here: driver.lua");
+    CHECK(none.error().message == "no file of yours is a behaviour of this system, which runs driver.lua");
     CHECK_FALSE(std::filesystem::exists(scratch.path("copy/behaviors/other.lua")));
     scratch.write("secret.lua", "-- of another one");
     scratch.write("pupil/behaviors/driver.lua", "-- the pupil's");

@@ -41,12 +41,12 @@ TEST_CASE("a save that needs more than the quota is refused, a shorter text neve
     scratch.write(".nezumi/versions/behaviors/a.lua/1", std::string(3 << 20, ' '));
     CHECK(why_not(check_quota(scratch.path(), "behaviors/b.lua", std::string(2 << 20, ' '), quota)).empty());
     CHECK(why_not(check_quota(scratch.path(), "behaviors/b.lua", std::string((2 << 20) + (1 << 19), ' '), quota)) ==
-          "nothing was saved: your files would have 3.5 MB, and 3.0 MB are allowed");
+          "nothing was saved: your files would have 3.5 MB, and at most 3.0 MB are allowed");
     CHECK(why_not(check_quota(scratch.path(), "behaviors/a.lua", std::string(3 << 20, ' '), quota)).empty());
     scratch.write("behaviors/b.lua", std::string(4 << 20, ' '));
     CHECK(why_not(check_quota(scratch.path(), "behaviors/b.lua", std::string((4 << 20) - 1, ' '), quota)).empty());
     CHECK(why_not(check_quota(scratch.path(), "behaviors/c.lua", "", quota)) ==
-          "nothing was saved: you have 2 files, the most that are allowed");
+          "nothing was saved: you have 2 files, and no more are allowed");
     CHECK(why_not(check_quota(scratch.path(), "../c.lua", "x", quota)).empty());  // the editor refuses such names
 }
 
@@ -83,8 +83,8 @@ TEST_CASE("files that a program writes count, and are removed when they are too 
         const auto over = look();
         REQUIRE(over);
         CHECK(over->why ==
-              "it had written 2.0 MB in 3 files, and 1.0 MB in 3 files are allowed; files removed because they are not "
-              "text: 2");
+              "the system had written 2.0 MB in 3 files, and at most 1.0 MB in 3 files are allowed; files removed "
+              "because they are not text: 2");
         CHECK(over->removed == 2);
         CHECK_FALSE(look());
     }
@@ -100,7 +100,8 @@ TEST_CASE("files that a program writes count, and are removed when they are too 
         const auto over = look();
         REQUIRE(over);
         CHECK(over->why ==
-              "it had written 0.0 MB in 4 files, and 1.0 MB in 3 files are allowed; make the texts shorter");
+              "the system had written 0.0 MB in 4 files, and at most 1.0 MB in 3 files are allowed; make the texts "
+              "shorter");
         CHECK(fs::exists(scratch.path("work/3.lua")));
     }
     CHECK(fs::exists(scratch.path("work/behaviors/b.lua")));
