@@ -11,7 +11,6 @@
 #include "engine/base/names.hpp"
 
 namespace nezumi::dds {
-namespace {}  // namespace
 
 Topic step_topic(const std::string& from, const std::string& to) {
     // A partner is at most one step ahead; the rest are repetitions.

@@ -84,7 +84,7 @@ bool take_kept(const CertificateRequest& request, Certificate& certificate) {
     const Paper paper(PEM_read_bio_X509(paper_memory.get(), nullptr, nullptr, nullptr));
     const Key key(PEM_read_bio_PrivateKey(key_memory.get(), nullptr, nullptr, nullptr));
     if (paper == nullptr || key == nullptr || X509_check_private_key(paper.get(), key.get()) != 1) return false;
-    std::time_t until = std::time(nullptr) + renewed_at;  // wall clock: certificates have dates
+    std::time_t until = std::time(nullptr) + renewed_at;  // the wall clock: certificates have dates
     if (X509_cmp_time(X509_get0_notAfter(paper.get()), &until) <= 0) return false;
     if (X509_check_ip_asc(paper.get(), request.address.c_str(), 0) != 1) return false;
     certificate.fingerprint = fingerprint_of(paper.get());

@@ -6,7 +6,7 @@
 namespace nezumi {
 
 double time_of_day() {
-    const auto now = std::chrono::system_clock::now();  // the wall clock, which RTCs use for stamps
+    const auto now = std::chrono::system_clock::now();  // the wall clock: RTCs use it for stamps
     return std::chrono::duration<double>(now.time_since_epoch()).count();
 }
 

@@ -96,8 +96,6 @@ void NameService::rebind(const std::string& name, CORBA::Object_ptr object) {
         const CosNaming::NamingContext_var made = root()->bind_new_context(context);
     } catch (const CosNaming::NamingContext::AlreadyBound&) {
         // The context of this computer exists already, if the computer has had an RTC before.
-        root()->rebind(whole, object);
-        return;
     }
     root()->rebind(whole, object);
 }

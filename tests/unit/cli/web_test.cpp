@@ -162,7 +162,7 @@ TEST_CASE("other computers connect only by TLS, with a certificate whose fingerp
     const std::string state = system.scratch.path("state").string();
     setenv("XDG_STATE_HOME", state.c_str(), 1);
     Program run({"run", system.file, "--listen", "127.0.0.1"});
-    REQUIRE(run.wait_for_error("fingerprint (SHA-256)\n"));
+    REQUIRE(run.wait_for_error("must be this one\n"));
     REQUIRE(run.wait_for_error(":"));
     const std::string begin = "in a browser: https://127.0.0.1:";
     REQUIRE(run.error.find(begin) == 0);
@@ -207,7 +207,7 @@ TEST_CASE("unfinished TLS handshakes do not exclude browsers with a token", "[cl
     const WebSystem system;
     setenv("XDG_STATE_HOME", system.scratch.path("state").c_str(), 1);
     Program run({"run", system.file, "--listen", "127.0.0.1"});
-    REQUIRE(run.wait_for_error("fingerprint (SHA-256)\n"));
+    REQUIRE(run.wait_for_error("must be this one\n"));
     unsetenv("XDG_STATE_HOME");
     const std::string address = run.error.substr(run.error.find("127.0.0.1:"));
     const std::string port = std::to_string(std::atoi(address.c_str() + 10));

@@ -16,10 +16,9 @@ TEST_CASE("the error about a missing element has its index and the number of ele
         rig.tick();
         return rig.status() == "ERROR" ? rig.error() : std::string();
     };
-    CHECK(
-        fails("return d:read()[9] * 2") ==
-        "robot_controller.lua:3: attempt to perform arithmetic on a nil value (field 'integer index'): element 9 of 4 "
-        "of input 'd'");
+    CHECK(fails("return d:read()[9] * 2") ==
+          "robot_controller.lua:3: attempt to perform arithmetic on a nil value (field 'integer index'): there is no "
+          "element 9 among the 4 of input 'd'");
     CHECK_THAT(fails("local i = 0 return d:read()[i] * 2"),
                Catch::EndsWith("nil value (field '?'): there is no element 0 among the 4 of input 'd'"));
     CHECK_THAT(fails("if d:read()[9] > 3 then end"),

@@ -216,11 +216,11 @@ TEST_CASE("a range that contains no colour is reported once until it contains on
     REQUIRE(watch.detector().parameters().set("value_to", 0.5));
     watch.run(20);
     CHECK_FALSE(watch.visible());
-    CHECK(watch.said == std::vector<std::string>{
-                            "an empty range, as saturation_from = 0.9 is above saturation_to = 0.25: nothing can "
-                            "be seen in it",
-                            "an empty range, as value_from = 1 is above value_to = 0.5: nothing can be seen in "
-                            "it"});
+    CHECK(watch.said ==
+          std::vector<std::string>{"an empty range, as saturation_from = 0.9 is above saturation_to = 0.25: the "
+                                   "picture is not searched",
+                                   "an empty range, as value_from = 1 is above value_to = 0.5: the picture is not "
+                                   "searched"});
 }
 
 TEST_CASE("a grey picture is reported once and not used", "[vision][color]") {
