@@ -77,7 +77,9 @@ Expected<std::unique_ptr<BreakCondition>> BreakCondition::of_function(lua_State*
     if (!loaded) return failure(loaded.error().message);
     if (wrong != nullptr)
         return failure(
-            fmt::format("the condition uses '{}': a condition can use only its argument, numbers and strings", wrong));
+            fmt::format("the condition uses '{}': of the variables outside it, a condition can use only numbers, "
+                        "strings and booleans",
+                        wrong));
     return std::unique_ptr<BreakCondition>(new BreakCondition(std::move(*state)));
 }
 

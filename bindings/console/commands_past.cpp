@@ -206,7 +206,8 @@ Expected<CommandEnd> command_resume(Session::Parts& parts, const Arguments& argu
             if (parts.options.batch) return Expected<void>();
         }
         if (parts.options.batch)
-            return failure("expected seconds, as in run(1): time moves only by step(n) and run(seconds) here");
+            return failure(
+                "expected seconds, as in run(1): in a batch of commands, time moves only by step(n) and run(seconds)");
         parts.clock.resume();
         return Expected<void>();
     });

@@ -47,7 +47,8 @@ Expected<CommandEnd> command_step(Session::Parts& parts, const Arguments& argume
 Expected<CommandEnd> command_run(Session::Parts& parts, const Arguments& arguments) {
     if (!arguments.has(1)) {
         if (parts.options.batch)
-            return failure("expected seconds, as in run(1): time moves only by step(n) and run(seconds) here");
+            return failure(
+                "expected seconds, as in run(1): in a batch of commands, time moves only by step(n) and run(seconds)");
         parts.clock.resume();
         return CommandEnd::done;
     }

@@ -115,8 +115,8 @@ Expected<Chunk> compile_input(std::string_view text) {
 }
 
 bool is_complete_input(std::string_view text) {
-    // With an end of line, an open quoted text is an error and not an incomplete input: it can't continue on a new
-    // line.
+    // A string in quotes can't continue on a new line. With the added end of line, an open string is an error, and not
+    // an incomplete input.
     const std::string lines = std::string(text) + "\n";
     const std::string expression = "return " + lines;
     const SyntaxTree as_expression(expression, SyntaxTree::Dialect::console);

@@ -59,7 +59,7 @@ public:
     void after_tick();
     /// Whether a command of a `Use::batch` client is running.
     bool is_batch_running() const;
-    /// Whether a `Use::batch` client reads its output too slowly.
+    /// True if a `Use::batch` client reads its output too slowly, so that the run should wait.
     bool is_behind() { return transport_.is_behind(); }
     /// A file descriptor that is readable if there is something for `serve`.
     int file() const { return transport_.file(); }

@@ -133,7 +133,7 @@ std::string secret_text(const Secret& secret) {
 
 Expected<Secret> secret_from(std::string_view text) {
     const auto refuse = [] {
-        return failure("is not a secret: `nezumi network secret FILE` makes one, to be copied to each host");
+        return failure("is not valid: make one with `nezumi network secret FILE`, and copy it to each host");
     };
     if (!text.starts_with(title)) return refuse();
     text.remove_prefix(title.size());

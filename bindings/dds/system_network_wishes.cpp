@@ -24,8 +24,8 @@ constexpr int most_looked = 4096, most_told = 100;
 void SystemNetwork::refuse(const Ends& ends, const std::string& why) {
     if (!refusals_.try_emplace(ends, why.substr(0, longest_reason)).second) return;
     if (++told_ > most_told) return;
-    system_.log(LogLevel::warn, fmt::format("host {} may not connect({}, {}): {}", other_of(ends), local(ends.first),
-                                            local(ends.second), why));
+    system_.log(LogLevel::warn, fmt::format("host {} asked for connect({}, {}), which was refused: {}", other_of(ends),
+                                            local(ends.first), local(ends.second), why));
     if (told_ == most_told)
         system_.log(LogLevel::warn, "network: further refused connections of other hosts are not reported");
 }

@@ -1,4 +1,4 @@
-// Compiles functions that record comparisons from their own text, with the same upvalues.
+// Compiles the text of a function again: the new function has the same upvalues and also records its comparisons.
 #include "bindings/scenario/condition.hpp"
 
 #include <fmt/format.h>

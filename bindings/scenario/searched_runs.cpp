@@ -102,7 +102,7 @@ private:
         const auto& [run, repetition] = made;
         const PlannedRun& planned = runs_.run_of(run);
         RunResult result = run_planned(runs_.plan, planned, options, true);
-        // The result gets all values, for `--merge`: the plan has only the number of the run.
+        // The result stores all drawn values for `--merge`, because the plan has only the number of the run.
         std::vector<DrawnValue> values = drawn_values(sweep_, planned.point);
         for (DrawnValue& value : result.drawn) {
             const auto same = [&](const DrawnValue& other) { return other.name == value.name; };

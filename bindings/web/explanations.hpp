@@ -56,7 +56,7 @@ private:
     const ClockControl& clock_;
     Send send_;
     std::vector<Asked> asked_;
-    // The last execution that was explained while time was paused, and the generation of its system.
+    // The last execution that was explained while time was paused, and `RunningSystem::generation` at that time.
     std::optional<Explanation> known_;
     int known_generation_ = 0;
     // A trace of the execution after it, so that after one step its explanation is available without computing the

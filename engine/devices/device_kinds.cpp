@@ -137,7 +137,7 @@ std::string check_safe_levels(const Parameters& parameters) {
         if (!has(false, line)) return fmt::format("safe: output {0} has no level: add {0}=0 or {0}=1", line);
     }
     for (const std::int64_t channel : outputs.pwm_channels) {
-        if (!has(true, channel)) return fmt::format("safe: pwm_channel {0} has no duty: add pwm{0}=0", channel);
+        if (!has(true, channel)) return fmt::format("safe: pwm_channel {0} has no duty cycle: add pwm{0}=0", channel);
     }
     return "";
 }

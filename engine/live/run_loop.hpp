@@ -55,8 +55,8 @@ public:
     void end_when(const volatile std::sig_atomic_t& flag) { end_ = &flag; }
     /// The run ends at this simulated time [s].
     void end_at(double seconds) { end_at_ = seconds; }
-    /// If time is paused at the end time, the run continues while this returns true, so that a command that needs no
-    /// more simulated time can finish.
+    /// If time is paused at the end time, the run does not end while this returns true. So a command that needs no more
+    /// simulated time can finish.
     void end_waits_while(std::function<bool()> works) { works_ = std::move(works); }
 
     /// While this returns true, a run as fast as possible waits, because the reader of its output is slow. A run with

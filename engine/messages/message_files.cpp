@@ -341,7 +341,7 @@ private:
         return make(without_stamp(structure_of(all, name)), fields_of(all));
     }
 
-    // Finds the types of fields that are structures. In such a structure the stamp stays a field.
+    // Finds the types of fields that are structures. A stamp in such an inner structure stays a normal field.
     MessageCatalog::Payloads fields_of(const Structures& all) {
         return [this, &all](const FieldDefinition& field) -> Expected<const Type*> {
             if (field.kind == wide_text) return failure("nezumi has no wide characters: use string, which holds UTF-8");

@@ -20,7 +20,7 @@ public:
 
     /// The real robot; nullptr if it is gone.
     const Robot* real() const { return real_; }
-    /// Must be called before the component `gone` is destroyed. If it is the real robot, the twin stands from then on.
+    /// Call this before the component `gone` is destroyed. If `gone` is the real robot, the twin then stands still.
     void forget(const Component& gone);
 
     /// Gives the wheels of the twin's body the commands of the real ones, after all safety limits, and moves its servos

@@ -25,7 +25,7 @@ Expected<RecentCurves> recent_curves(Trace& trace, std::string_view name, double
 
 /// Converts curves to plain data; long curves are shortened to what a drawing can show.
 PlainData to_plain(const RecentCurves& recent);
-/// Reads the result of `to_plain`: its points, without the names of whole and part.
+/// Reads the result of `to_plain`. `whole` and `part` stay empty, because plain data does not contain them.
 Expected<RecentCurves> read_curves(const PlainData& data);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Values come in the same order each time, so each column is searched after the previous one.
+// Values come in the same order each time, so the search for a column begins behind the previous column.
 #include "engine/trace/trace_table.hpp"
 
 #include <fmt/format.h>

@@ -162,7 +162,7 @@ void Ev3Body::add_sensors(const DevicePath& folder) {
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const SensorSpec& sensor = spec_.sensors[i];
         const auto mode = mode_of(sensor.kind);
-        // Ambient light is another mode of the sensor that measures colours.
+        // Next to a colour sensor, ambient light is not measured: it is another mode of the same sensor.
         if (!mode || (sensor.kind == SensorKind::ambient && has_color(spec_))) continue;
         if (devices[i] == i) {
             channels_.push_back(std::make_unique<RunningJob<ModeSensor>>(

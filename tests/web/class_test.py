@@ -325,7 +325,7 @@ class Lessons(ClassCase):
         written = os.path.join(room.work(), "nezumi-test", "kept", "trace.csv")
         with open(written, "w") as out:
             out.write("x" * (3 << 20))
-        why = "the system had written 3.0 MB in 1 files, and at most 1.0 MB in 2000 files are allowed; files removed because they are not text: 1"
+        why = "too much was written: 3.0 MB in 1 files, and at most 1.0 MB in 2000 files are allowed; files removed because they are not text: 1"
         self.page.until("document.querySelector('.class-bar .broken')?.textContent.includes(%r)" % why, "the pupil is told", 30)
         self.until_tile(teacher, "Taro", "tile.className.includes('broken') && tile.textContent.includes(%r)" % why, "the teacher sees it")
         self.assertFalse(os.path.exists(written))

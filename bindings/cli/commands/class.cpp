@@ -64,7 +64,7 @@ Expected<web::SharedOptions> shared_of(const ClassWords& words, const std::optio
     if (std::any_of(system->models.begin(), system->models.end(), has_script) ||
         std::any_of(components.begin(), components.end(), is_wire))
         return failure(
-            "--hw: a class shares no robots whose driver is a script, and no devices such as serial lines: pupils "
+            "--hw: a class can't share a robot whose driver is a script, or a device such as a serial line: pupils "
             "could replace the driver");
     shared.hardware.push_back(words.web.hw.text == "true" ? "--hw" : "--hw=" + words.web.hw.text);
     for (const auto& [option, folder] :

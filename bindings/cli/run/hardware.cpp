@@ -37,8 +37,8 @@ Expected<void> check_names(const SystemSpec& spec, const std::vector<std::string
     return {};
 }
 
-// True if this robot or device becomes real. An error if it was requested by name, but the file does not allow it to be
-// real.
+// Returns true if this robot or device should be real. Returns an error if --hw names it, but the file keeps it
+// simulated.
 template <class AnEntry>
 Expected<bool> is_free(std::string_view kind, const AnEntry& entry, const std::vector<std::string>& names) {
     const bool is_named = contains(names, entry.name);

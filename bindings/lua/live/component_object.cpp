@@ -19,7 +19,7 @@ Expected<Act> read_act(lua_State* L, const Objects& objects, const std::string& 
         return Use{name, std::string(text_at(L, 2))};
     }
     if (ObjectAccess::hardware(objects))
-        return failure(fmt::format("{}: this works only in simulation, and this is a real robot", method));
+        return failure(fmt::format("{}: this works only in simulation, and this run drives real robots", method));
     if (method == "teleport") {
         const auto pose = read_pose(L, 2);
         if (!pose) return Unexpected(pose.error());

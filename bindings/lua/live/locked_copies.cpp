@@ -55,7 +55,7 @@ std::string instead_of(const ObjectRef& ref, std::string_view name) {
     switch (ref.kind) {
         case ObjectKind::port:
             if (name == "peers") return "use connect and disconnect";
-            return fmt::format("write {0}:write(value), or hold it by {0}:hold(value)", path);
+            return fmt::format("use {0}:write(value), or {0}:hold(value) to hold a value", path);
         case ObjectKind::truth:
             if (name == "pose") return fmt::format("write {}:teleport {}", ref.component(), usage_of<RobotPlace>());
             return fmt::format("write {}:disturb {}", ref.component(),

@@ -55,8 +55,8 @@ public:
     std::int64_t pattern_steps = pattern_step_budget;
     const char* stack_base;  ///< the C stack at the outermost call of the thread
 
-    /// The target of the jump out of Lua's own C code, where no hook runs. Only of the outermost call of the thread,
-    /// and valid while `can_escape`.
+    /// Where to jump if the time limit is reached in Lua's own C code, where no hook runs. Only the outermost call of
+    /// the thread uses it, and it is valid only while `can_escape` is true.
     std::jmp_buf escape;
     volatile bool can_escape = false;
 

@@ -168,7 +168,7 @@ void NameService::collect(CosNaming::NamingContext_ptr context, const std::strin
         const CosNaming::NameComponent& last = binding.binding_name[0];
         if (binding.binding_type != CosNaming::ncontext) {
             if (std::string_view(last.kind.in()) != kind_of_rtcs) continue;
-            // The part after a dot would be taken for the kind.
+            // An id with a dot needs its kind: otherwise the part after the dot would be read as the kind.
             const std::string id = last.id.in();
             const std::string name = path + (id.find('.') == std::string::npos ? id : naming_text(last));
             const CORBA::Object_var object = resolve(context, binding.binding_name);

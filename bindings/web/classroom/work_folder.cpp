@@ -80,7 +80,7 @@ std::optional<OverQuota> enforce_quota(const fs::path& project, const fs::path& 
         if (fs::remove(project / file, problem)) ++over.removed;
     }
     over.why =
-        fmt::format("the system had written {:.1f} MB in {} files, and at most {:.1f} MB in {} files are allowed; {}",
+        fmt::format("too much was written: {:.1f} MB in {} files, and at most {:.1f} MB in {} files are allowed; {}",
                     megabytes(bytes), files, megabytes(quota.bytes), quota.files,
                     over.removed == 0 ? "make the texts shorter"
                                       : fmt::format("files removed because they are not text: {}", over.removed));

@@ -147,7 +147,7 @@ TEST_CASE("a missing secret, one that others can read, or an invalid one ends a 
     std::filesystem::permissions(key, std::filesystem::perms{0644});
     CHECK(said().find("can be read by others: chmod 600") != std::string::npos);
     std::filesystem::permissions(key, std::filesystem::perms{0600});
-    CHECK(said().find("the secret 's.key' is not a secret") != std::string::npos);
+    CHECK(said().find("the secret 's.key' is not valid") != std::string::npos);
 }
 
 TEST_CASE("hosts of a secret find each other, and those without it do not", "[cli][network][wallclock]") {

@@ -76,7 +76,7 @@ TEST_CASE("pause, run and speed control the clock", "[console][session]") {
     batch.batch = true;
     SessionRig other(counter_system, {{"counter", counter_behavior}}, batch);
     CHECK(other.type("run()") ==
-          "! run: expected seconds, as in run(1): time moves only by step(n) and run(seconds) here");
+          "! run: expected seconds, as in run(1): in a batch of commands, time moves only by step(n) and run(seconds)");
 }
 
 TEST_CASE("exit is the same as quit, with or without brackets", "[console][session]") {

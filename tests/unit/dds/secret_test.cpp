@@ -65,7 +65,7 @@ TEST_CASE("a secret is a line of text in a file", "[dds][secret]") {
                                      text.substr(0, text.size() - 5), text + "AAAA"}) {
         CAPTURE(wrong);
         CHECK(secret_from(wrong).error().message ==
-              "is not a secret: `nezumi network secret FILE` makes one, to be copied to each host");
+              "is not valid: make one with `nezumi network secret FILE`, and copy it to each host");
     }
 }
 

@@ -127,7 +127,8 @@ TEST_CASE("different types are reported at both ends", "[dds][network]") {
     REQUIRE(pi.system.connect("ev3/part.speed", "part.number"));
     pass(room, 4, ev3, pi);
     CHECK(
-        ev3.told("warn: host pi may not connect(part.speed, pi/part.number): types differ: ev3/part.speed is "
+        ev3.told("warn: host pi asked for connect(part.speed, pi/part.number), which was refused: types differ: "
+                 "ev3/part.speed is "
                  "TimedVelocity2D, pi/part.number is TimedLong"));
     CHECK(pi.told("warn: connect(ev3/part.speed, part.number): host ev3 refuses: types differ"));
     CHECK(pi.connections().empty());

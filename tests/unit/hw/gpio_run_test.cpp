@@ -131,7 +131,7 @@ TEST_CASE("a GPIO device that can't be used is refused by one line", "[hw][wire]
     }
     SECTION("with a channel that has no safe duty") {
         device = "outputs = { 23 }, pwm_channels = { 1 }, safe = '23=0'";
-        expected = "robot_model: device 'pins': safe: pwm_channel 1 has no duty: add pwm1=0";
+        expected = "robot_model: device 'pins': safe: pwm_channel 1 has no duty cycle: add pwm1=0";
     }
     SECTION("with another line among the safe ones") {
         device = "outputs = { 23 }, safe = '23=0 6=1'";

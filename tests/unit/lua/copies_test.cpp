@@ -92,7 +92,8 @@ TEST_CASE("tables of a port are read-only, and the error says what to do", "[lua
     }
     CHECK(tables == 6);
     CHECK(it.tables_of("mouse.current_pose_out.value") == 2);
-    const std::string says = "is a copy: write controller.out:write(value), or hold it by controller.out:hold(value)";
+    const std::string says =
+        "is a copy: use controller.out:write(value), or controller.out:hold(value) to hold a value";
     CHECK(it.run("controller.ports.out.value.vx = 3") ==
           "box.lua:1: can't set 'controller.out.value.vx': 'controller.out.value' " + says);
     CHECK(it.run("controller.out.peers[1] = 'x'") ==

@@ -45,7 +45,7 @@ TEST_CASE("a real robot cannot be moved by teleport", "[lua][objects]") {
     Objective it;
     it.objects->set_hardware(true);
     CHECK(it.run("mouse:teleport { x = 0 }") ==
-          "box.lua:1: teleport: this works only in simulation, and this is a real robot");
+          "box.lua:1: teleport: this works only in simulation, and this run drives real robots");
 }
 
 TEST_CASE("an object survives a restart, and gives an error if its component is gone", "[lua][objects]") {

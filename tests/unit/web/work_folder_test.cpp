@@ -83,7 +83,7 @@ TEST_CASE("files that a program writes count, and are removed when they are too 
         const auto over = look();
         REQUIRE(over);
         CHECK(over->why ==
-              "the system had written 2.0 MB in 3 files, and at most 1.0 MB in 3 files are allowed; files removed "
+              "too much was written: 2.0 MB in 3 files, and at most 1.0 MB in 3 files are allowed; files removed "
               "because they are not text: 2");
         CHECK(over->removed == 2);
         CHECK_FALSE(look());
@@ -100,7 +100,7 @@ TEST_CASE("files that a program writes count, and are removed when they are too 
         const auto over = look();
         REQUIRE(over);
         CHECK(over->why ==
-              "the system had written 0.0 MB in 4 files, and at most 1.0 MB in 3 files are allowed; make the texts "
+              "too much was written: 0.0 MB in 4 files, and at most 1.0 MB in 3 files are allowed; make the texts "
               "shorter");
         CHECK(fs::exists(scratch.path("work/3.lua")));
     }
