@@ -103,7 +103,7 @@ TEST_CASE("tables of a port are read-only, and the error says what to do", "[lua
                Catch::Contains("can't set 'mouse.ir_sensor_out.value[5]'"));
     CHECK_THAT(it.run("table.sort(mouse.ir_sensor_out.value)"), Catch::Contains("is a copy"));
     CHECK_THAT(it.run("mouse.current_pose_out.value.position.x = 4"),
-               Catch::Contains("'mouse.current_pose_out.value.position' is a copy: write "
+               Catch::Contains("'mouse.current_pose_out.value.position' is a copy: use "
                                "mouse.current_pose_out:write(value)"));
 }
 
