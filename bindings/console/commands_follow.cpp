@@ -120,7 +120,8 @@ Expected<CommandEnd> command_release(Session::Parts& parts, const Arguments& arg
 
 Expected<CommandEnd> command_teleport(Session::Parts& parts, const Arguments& arguments) {
     if (parts.clock.is_hardware()) return failure("real robots can't be teleported: this works only in simulation");
-    if (arguments.count() < 1) return failure("expected a marker or robot, as in teleport(\"target\", { x = 1 })");
+    if (arguments.count() < 1)
+        return failure("expected a marker, robot or object, as in teleport(\"target\", { x = 1 })");
     const auto teleport = read_teleport(*parts.objects, parts.live, arguments.lua, 1, 2);
     if (!teleport) return Unexpected(teleport.error());
     return done(parts.act(teleport->act));

@@ -26,7 +26,7 @@ struct Present {
 
 Present present_of(const RunningSystem& live) { return {live.project(), live.spec()}; }
 
-// The place of an added entry is the system's file, without a line.
+// An entry that was added in the console has the system's file as its place, without a line.
 WordCall call_of(const std::string& word, const Present& present) { return {word, {present.spec.file}, nullptr}; }
 
 // Removes what the console shows anyway: the place, if the error is in the input and not in a script or robot file, and

@@ -150,8 +150,8 @@ Expected<std::string> save_system(PresentSystem present, const std::string& file
     const Project project = Project::of(path, present.installed);
     SystemSpec& spec = present.spec;
     if (spec.arena.floor) spec.arena.floor->image = name_of(project, spec.arena.floor->image, path);
-    const std::string title =
-        spec.file.empty() ? "A system, saved from the console." : fmt::format("{}, saved from the console.", spec.file);
+    const std::string title = spec.file.empty() ? "A system, saved from the console."
+                                                : fmt::format("The system of {}, saved from the console.", spec.file);
     const std::string text = write_system_text(spec, title);
     if (auto back = read_system_text(text, path.string(), project, {.peer_words = present.peer_words}); !back) {
         return failure(fmt::format("nothing was saved, because {} could not be read again: {}", path.string(),

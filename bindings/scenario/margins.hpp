@@ -14,7 +14,7 @@ namespace nezumi {
 /// "always 'keeps off': came within 0.022 m of the limit at 5.12 s (x < 0.5)".
 std::string text_of(const ConditionMargin& margin);
 
-/// In failure.txt: the line before its conditions, which are the last lines.
+/// In failure.txt, this line comes before the conditions of the run, which are the last lines.
 inline constexpr std::string_view conditions_heading = "conditions:";
 
 /// The smallest value of all runs, and the run that has it.

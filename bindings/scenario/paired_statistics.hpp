@@ -1,4 +1,4 @@
-// Statistics of differences in pairs: how sure a median is, and whether one side is less more often than by chance.
+// Statistics of paired differences: the confidence interval of a median, and the sign test.
 #pragma once
 
 #include <cstddef>

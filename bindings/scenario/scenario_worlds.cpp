@@ -209,7 +209,9 @@ Expected<void> ScenarioRun::rebuild(Described& described) {
             word_host_.called);
     }
     if (described.live->options().build.real_time)
-        return failure(fmt::format("{}: with --hw, call it before robots are used", word), word_host_.called);
+        return failure(
+            fmt::format("{}: with --hw, call it before the scenario reads or changes anything in the system", word),
+            word_host_.called);
     if (auto ok = described.live->rebuild(spec); !ok) return ok;
     if (settings_.files != nullptr) settings_.files->drop_journal(world);
     described.entries = spec.entries.size();
@@ -224,7 +226,9 @@ Expected<void> ScenarioRun::add_new(Described& described) {
     while (described.entries < spec.entries.size()) {
         const Entry& entry = spec.entries[described.entries++];
         if (live.options().build.real_time && std::holds_alternative<RobotEntry>(entry))
-            return failure(fmt::format("robot '{}': with --hw, declare all robots before one is used", name_of(entry)),
+            return failure(fmt::format("robot '{}': with --hw, declare all robots before the scenario reads or changes "
+                                       "anything in the system",
+                                       name_of(entry)),
                            place_of(entry));
         if (auto added = live.act(Add{entry}, scenario_actor); !added) return Unexpected(added.error());
         // A component that can't be activated is in ERROR, as at the start of a system.

@@ -65,7 +65,7 @@ public:
 private:
     using Made = std::pair<std::size_t, std::size_t>;  // a run and the number of its repetition
 
-    // Makes the runs of a round. Returns false if a signal interrupted.
+    // Makes the runs of a round, except those with a kept result. Returns false if a signal interrupted them.
     bool make_round(const std::vector<std::size_t>& round) {
         std::vector<Made> missing;
         for (const std::size_t run : round) {

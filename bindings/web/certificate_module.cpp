@@ -76,7 +76,7 @@ bool is_private(const std::string& file) {
     return lstat(file.c_str(), &is) == 0 && S_ISREG(is.st_mode) && is.st_uid == geteuid() && (is.st_mode & 077) == 0;
 }
 
-// Uses the stored certificate if it is still valid for this request.
+// Uses the stored certificate if it is for the requested address and stays valid for more than `renewed_at`.
 bool take_kept(const CertificateRequest& request, Certificate& certificate) {
     if (!is_private(certificate.key)) return false;
     const std::string paper_text = read_text(certificate.file), key_text = read_text(certificate.key);

@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-// The number of bytes of the character at `at`; 0 if XML does not allow it.
+// The number of bytes of the character at `at`; 0 for a carriage return, or if XML does not allow the character.
 std::size_t character_size(std::string_view text, std::size_t at) {
     const auto [size, code] = utf8_character(text, at);
     const bool is_control = code < 0x20 && code != '\n' && code != '\t';

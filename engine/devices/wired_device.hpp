@@ -19,7 +19,7 @@ namespace nezumi {
 class Robot;
 class System;
 
-/// A kind of device: its function in robot files, and its type of component.
+/// A kind of device: the name of its function in robot files, and its type of component.
 struct DeviceKind {
     std::string_view word;  ///< "serial"
     std::string_view type;  ///< of the component: "Serial"

@@ -24,7 +24,7 @@ struct GivenTable {
     const Value* table = nullptr;
 };
 
-/// Finds the fields of a call's table in the text of its file. The part of the program that reads Lua implements this.
+/// Finds where a file's text has the fields of a call's table. The part of the program that reads Lua implements it.
 class FieldSource {
 public:
     virtual ~FieldSource() = default;

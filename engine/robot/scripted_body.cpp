@@ -29,7 +29,7 @@ Wheels metres_per_pulse_of(const DriveSpec& drive) {
 std::string named(std::string_view prefix, std::string_view name) { return fmt::format("{}{}", prefix, name); }
 
 template <class T>
-double number_in(const T& value) {
+double sensor_number(const T& value) {
     if constexpr (std::is_same_v<T, std::string>) {
         for (int color = 0;; ++color) {
             const std::string_view text = to_text(static_cast<FloorColor>(color));
@@ -50,11 +50,11 @@ std::vector<double> numbers_in(InPortBase& port) {
             if constexpr (std::is_arithmetic_v<typename T::value_type> ||
                           std::is_same_v<typename T::value_type, std::string>) {
                 for (const auto& each : static_cast<InPort<T>&>(port).read())
-                    all.push_back(number_in<typename T::value_type>(each));
+                    all.push_back(sensor_number<typename T::value_type>(each));
             }
             return all;
         } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
-            return {number_in<T>(static_cast<InPort<T>&>(port).read())};
+            return {sensor_number<T>(static_cast<InPort<T>&>(port).read())};
         } else {
             return {};
         }

@@ -80,8 +80,8 @@ public:
     bool has_port(std::string_view end) const;
     /// Checks the form of such an end.
     virtual Expected<void> check_port(std::string_view /*end*/) const { return {}; }
-    /// Checks a connection with such a port, as `System::ForeignCheck`. `spec`: the description by this word in the
-    /// system file; may be null.
+    /// Checks a connection with such a port, as `System::ForeignCheck` does. `spec`: the description of the peers in
+    /// the system file; null if the file does not use this word.
     virtual Expected<void> check_connection(const System& /*system*/, const PeerSpec* /*spec*/,
                                             const ConnectionSpec& /*connection*/) const {
         return {};

@@ -20,7 +20,7 @@ class TraceTable {
 public:
     /// The channels must outlive this object.
     explicit TraceTable(const std::vector<const Channel*>& channels);
-    /// Adds a channel after the others. Adds no columns after `fix_columns`.
+    /// Adds a channel after the others. A channel that is added after `fix_columns` gets no columns.
     void follow(const Channel& channel);
 
     /// Call this after a tick: calls `add` with the cells of its row, by their ids. If a channel has several messages

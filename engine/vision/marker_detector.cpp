@@ -1,4 +1,4 @@
-// Determines the intrinsics of a picture in the tick, and searches tags in another thread.
+// Chooses the camera intrinsics for a picture in the tick, and searches the picture for tags in another thread.
 #include "engine/vision/marker_detector.hpp"
 
 #include <fmt/format.h>

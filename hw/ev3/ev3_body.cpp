@@ -14,7 +14,7 @@ using SensorKind = SensorSpec::Kind;
 
 constexpr double degree = std::numbers::pi / 180;
 
-// The mode to read a sensor of this kind; nothing if the brick has no such sensor.
+// The mode to read a sensor of this kind; nothing for the brick's buttons, and for kinds that an EV3 does not have.
 std::optional<SensorMode> mode_of(SensorKind kind) {
     switch (kind) {
         case SensorKind::touch: return SensorMode{"lego-ev3-touch", "TOUCH"};

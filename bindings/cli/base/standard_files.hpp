@@ -9,7 +9,7 @@ namespace nezumi::cli {
 /// later would get the free number, and messages would be written into it.
 void open_missing_standard_files();
 
-/// Writes the rest of standard output. Returns the reason if output was lost, once; otherwise an empty text.
+/// Flushes standard output. If output was lost since the last call, returns the reason; otherwise an empty text.
 std::string lost_output();
 
 }  // namespace nezumi::cli

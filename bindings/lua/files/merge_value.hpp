@@ -11,7 +11,7 @@ namespace nezumi {
 /// actuator or port that does not exist, this is an error, which names the nearest. `path` is the path of the changes.
 Value merge_values(FieldCheck& check, const Value& base, const Value& changes, const FieldPath& path = {});
 
-/// Combines two changes into one; a removal in the second one stays a removal.
+/// Combines two changes into one. If the second one removes a field, the combined change removes it too.
 Value combine_changes(const Value& first, const Value& second);
 
 }  // namespace nezumi

@@ -82,8 +82,8 @@ struct Inheritance {
     const Parameters* parameters = nullptr;       ///< values that were set and still fit are kept
     const PlainData* state = nullptr;             ///< the contents of `state`
     std::vector<ScriptFile>* required = nullptr;  ///< gets every file that loading reads: modules, messages
-    /// If not null, `state` is set later by `take_state_over`, and this becomes true if the top level reads `state` or
-    /// the time.
+    /// If not null, `take_state_over` sets `state` later, and this becomes true if the top level reads `state` or the
+    /// time.
     bool* looks_at_tick = nullptr;
 };
 

@@ -56,7 +56,8 @@ int global_start(lua_State* L) {
 Expected<void> check_can_wait(lua_State* L, const Tasks& tasks, std::string_view function) {
     if (tasks.closes())
         return failure(fmt::format(
-            "{} can't be called here: the task is being ended, and the closing of its variables can't wait", function));
+            "{} can't be called here: the task is being ended, and code that closes its variables can't wait",
+            function));
     if (tasks.current() == nullptr)
         return failure(fmt::format("{} can only be called in a task: task(\"name\", function() ... end)", function));
     if (can_pause(L)) return {};

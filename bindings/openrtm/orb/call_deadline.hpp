@@ -1,4 +1,4 @@
-// A deadline for all CORBA calls of a thread together.
+// One deadline that all CORBA calls of a thread share.
 #pragma once
 
 #include <omniORB4/CORBA.h>

@@ -14,7 +14,7 @@ namespace nezumi::openrtm {
 
 class NameServers {
 public:
-    /// The time during which a name service that did not answer is not asked again.
+    /// If there are several name services: one that did not answer is not asked again during this time.
     static constexpr std::chrono::seconds rest{3};
 
     struct Server {

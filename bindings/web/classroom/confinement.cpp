@@ -121,8 +121,8 @@ constexpr std::uint32_t processor = AUDIT_ARCH_RISCV64;
 constexpr std::uint32_t processor = 0;  // every call is refused
 #endif
 
-// Refuses new sockets, and calls that could make one in another way. `but_local` allows local sockets, which reserve a
-// robot.
+// Refuses socket(), and calls that could replace it. socketpair() stays allowed. If `but_local`, local sockets are
+// allowed too: a program reserves a robot with one.
 Expected<void> refuse_sockets(bool but_local) {
     constexpr std::uint32_t refused = SECCOMP_RET_ERRNO | EACCES;
     constexpr std::uint32_t x32_bit = 0x40000000;
