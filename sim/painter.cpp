@@ -133,26 +133,35 @@ std::pair<int, int> span_of(const SeenFace& face, int row, int columns) {
             static_cast<int>(std::ceil(std::min(right, static_cast<double>(columns))))};
 }
 
+// The largest integer that is not above a number, which fits into an int: `std::floor` is a call on processors before SSE 4.1.
+int floor_of(float number) {
+    const int towards_zero = static_cast<int>(number);
+    return towards_zero - static_cast<int>(number < static_cast<float>(towards_zero));
+}
+
 // The pixel left of `place`, and the weight of the next one for a sample of this width.
 struct Blend {
     int first, second;
     float of_second;
 };
-Blend blend(float place, float width, int count) {
+inline Blend weights(float place, float width, int count) {
     // Sharp where a pixel of the picture is wide, soft where it is narrow: a box filter of this width.
-    const float edge = std::floor(place + 0.5F);
+    const int second = floor_of(place + 0.5F);
+    const float edge = static_cast<float>(second);
     const float part = std::clamp((place - edge) / std::min(std::max(width, 1e-6F), 1.0F) + 0.5F, 0.0F, 1.0F);
-    const int second = static_cast<int>(edge);
     return {std::clamp(second - 1, 0, count - 1), std::clamp(second, 0, count - 1), part};
 }
 
-Rgb blend(Rgb a, Rgb b, float of_b) {
+inline Rgb blend(Rgb a, Rgb b, float of_b) {
     if (a == b || of_b <= 0) return a;
     if (of_b >= 1) return b;
     Rgb mixed = 0;
     for (const int shift : {0, 8, 16}) {
         const float from = static_cast<float>(a >> shift & 0xff), to = static_cast<float>(b >> shift & 0xff);
-        mixed |= static_cast<Rgb>(std::lround(from + (to - from) * of_b)) << shift;
+        // Rounds half up, as `std::lround` does, which is a call.
+        const float value = from + (to - from) * of_b;
+        const int whole = static_cast<int>(value);
+        mixed |= static_cast<Rgb>(whole + static_cast<int>(value - static_cast<float>(whole) >= 0.5F)) << shift;
     }
     return mixed;
 }
@@ -194,8 +203,8 @@ void paint_picture(const SeenFace& face, int row, int first, int end, float* inv
             return z * (std::abs(step(of) - value * step(face.inverse_depth)) +
                         std::abs(fall(of) - value * fall(face.inverse_depth)));
         };
-        const Blend across = blend(u, width(face.u, u), picture.width);
-        const Blend along = blend(v, width(face.v, v), picture.height);
+        const Blend across = weights(u, width(face.u, u), picture.width);
+        const Blend along = weights(v, width(face.v, v), picture.height);
         const Rgb* upper = &picture.pixels[static_cast<std::size_t>(along.first) * picture.width];
         const Rgb* lower = &picture.pixels[static_cast<std::size_t>(along.second) * picture.width];
         colors[column] = blend(blend(upper[across.first], upper[across.second], across.of_second),

@@ -158,7 +158,8 @@ struct Taker {
         if (bad_key)
             dropped.push_back({path_of(origins[index]), "a table with a key that is a table, a function or an object"});
         left.values -= keys.size();
-        std::sort(keys.begin(), keys.end(), key_before);
+        // Lists are in order as they come.
+        if (!std::is_sorted(keys.begin(), keys.end(), key_before)) std::sort(keys.begin(), keys.end(), key_before);
         for (Value& key : keys) {
             if (too_much) break;
             detail::push_any(L, key);
