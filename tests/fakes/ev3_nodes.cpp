@@ -21,11 +21,7 @@ const std::vector<std::string> motor_attributes{"address",  "command",  "count_p
                                                 "speed_sp", "state",    "stop_action",   "time_sp"};
 const std::vector<std::string> sensor_attributes{"address",    "decimals", "driver_name", "mode",  "modes",
                                                  "num_values", "value0",   "value1",      "value2"};
-const std::vector<std::string> fault_names{"none", "missing", "denied", "eio", "timeout", "hang", "garbage"};
-
-double clock_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+const std::vector<std::string> ev3_faults{"none", "missing", "denied", "eio", "timeout", "hang", "garbage"};
 
 }  // namespace
 
@@ -201,7 +197,7 @@ bool Ev3Nodes::press(const std::string& key, bool pressed) {
 bool Ev3Nodes::set_fault(const std::string& node, const std::string& fault) {
     const std::lock_guard lock(mutex_);
     const bool is_node = plain_.contains(node) || device_at(node.substr(0, node.find('/'))) != nullptr;
-    if (!is_node || std::find(fault_names.begin(), fault_names.end(), fault) == fault_names.end()) return false;
+    if (!is_node || std::find(ev3_faults.begin(), ev3_faults.end(), fault) == ev3_faults.end()) return false;
     faults_[node] = fault;
     changed_.notify_all();
     return true;

@@ -12,17 +12,13 @@
 namespace nezumi::fakes {
 namespace {
 
-double clock_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 const std::vector<std::string> node_names{"rtbuzzer0",    "rtcounter_l0",   "rtcounter_l1",   "rtcounter_r0",
                                           "rtcounter_r1", "rtled0",         "rtled1",         "rtled2",
                                           "rtled3",       "rtlightsensor0", "rtmotor_raw_l0", "rtmotor_raw_r0",
                                           "rtmotoren0",   "rtswitch0",      "rtswitch1",      "rtswitch2"};
 
-const std::vector<std::string> fault_names{"none", "missing", "denied", "eio",    "enodev",
-                                           "hang", "zeros",   "tear",   "frozen", "garbage"};
+const std::vector<std::string> mouse_faults{"none", "missing", "denied", "eio",    "enodev",
+                                            "hang", "zeros",   "tear",   "frozen", "garbage"};
 
 bool has(const std::string& name, std::string_view part) { return name.find(part) != std::string::npos; }
 
@@ -165,7 +161,7 @@ std::string MouseNodes::say(const std::string& name, double now) {
 bool MouseNodes::set_fault(const std::string& node, const std::string& fault) {
     const std::lock_guard lock(mutex_);
     const auto found = nodes_.find(node);
-    if (found == nodes_.end() || std::find(fault_names.begin(), fault_names.end(), fault) == fault_names.end())
+    if (found == nodes_.end() || std::find(mouse_faults.begin(), mouse_faults.end(), fault) == mouse_faults.end())
         return false;
     found->second.fault = fault;
     changed_.notify_all();

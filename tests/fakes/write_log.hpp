@@ -3,13 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <string>
 #include <vector>
 
 namespace nezumi::fakes {
 
+/// The monotonic clock [s].
+inline double clock_now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 struct Write {
-    double at;  ///< [s] by the monotonic clock
+    double at;  ///< [s] by `clock_now`
     std::string node, text;
     int result;  ///< as the driver returned it: bytes taken, or -errno
 };

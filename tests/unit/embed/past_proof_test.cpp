@@ -14,6 +14,7 @@
 
 #include "bindings/embed/simulation.hpp"
 #include "engine/live/running_system.hpp"
+#include "tests/unit/environment.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
 
@@ -22,11 +23,6 @@ using namespace nezumi;
 namespace {
 
 const Actor prover{Actor::Kind::console, ""};
-
-int number_from(const char* name, int fallback) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::atoi(text) : fallback;
-}
 
 // Shared tables, tasks in the middle of a wait, random numbers, a delayed detector's results, a noisy robot.
 std::string wanderer(unsigned variant) {
@@ -155,7 +151,7 @@ private:
 
 TEST_CASE("a tick that is computed again is the same: saves, restarts, waits, shared tables, noise, detectors, threads",
           "[embed][past][proof]") {
-    const int seeks = number_from("NEZUMI_SEEKS", 60), longest = number_from("NEZUMI_SEEK_TICKS", 400);
+    const int seeks = number_from_environment("NEZUMI_SEEKS", 60), longest = number_from_environment("NEZUMI_SEEK_TICKS", 400);
     int done = 0;
     std::size_t ticks = 0, branches = 0;
     for (unsigned seed = 1; done < seeks; ++seed) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <random>
@@ -17,6 +16,7 @@
 #include "engine/live/running_system.hpp"
 #include "engine/robot/robot.hpp"
 #include "sim/world.hpp"
+#include "tests/unit/environment.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/machine_speed.hpp"
 #include "tests/unit/lua/random_script.hpp"
@@ -197,17 +197,12 @@ private:
     SystemSpec spec_;
 };
 
-int count_from_environment(const char* name, int otherwise) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::atoi(text) : otherwise;
-}
-
 }  // namespace
 
 TEST_CASE("random behaviours do not disturb the engine, a stopped robot or other behaviours",
           "[lua][random][watchdog]") {
-    const int count = count_from_environment("NEZUMI_SCRIPTS", 150);
-    const int first = count_from_environment("NEZUMI_SEED", 1);
+    const int count = number_from_environment("NEZUMI_SCRIPTS", 150);
+    const int first = number_from_environment("NEZUMI_SEED", 1);
     const Trial trial;
     int loaded = 0;
     int failed = 0;

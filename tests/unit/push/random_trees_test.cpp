@@ -1,7 +1,6 @@
 // Projects and robots' folders made at random: whatever a person does on either side, a push destroys nothing.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "bindings/push/interrupted.hpp"
+#include "tests/unit/environment.hpp"
 #include "tests/unit/push/traced_robot.hpp"
 
 using namespace nezumi;
@@ -144,7 +144,6 @@ void push_at_random(unsigned seed) {
 }  // namespace
 
 TEST_CASE("a push to any folder keeps the robot's files, brings the rest, and may be interrupted", "[push][random]") {
-    const char* count = std::getenv("NEZUMI_PUSHES");
-    const unsigned pushes = count != nullptr ? static_cast<unsigned>(std::atoi(count)) : 12;
-    for (unsigned seed = 1; seed <= pushes; ++seed) push_at_random(seed);
+    const int pushes = number_from_environment("NEZUMI_PUSHES", 12);
+    for (int seed = 1; seed <= pushes; ++seed) push_at_random(static_cast<unsigned>(seed));
 }
