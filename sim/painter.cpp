@@ -133,7 +133,8 @@ std::pair<int, int> span_of(const SeenFace& face, int row, int columns) {
             static_cast<int>(std::ceil(std::min(right, static_cast<double>(columns))))};
 }
 
-// The largest integer that is not above a number, which fits into an int: `std::floor` is a call on processors before SSE 4.1.
+// The largest integer that is not above a number, which fits into an int: `std::floor` is a call on processors before
+// SSE 4.1.
 int floor_of(float number) {
     const int towards_zero = static_cast<int>(number);
     return towards_zero - static_cast<int>(number < static_cast<float>(towards_zero));

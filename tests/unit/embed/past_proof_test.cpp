@@ -151,7 +151,8 @@ private:
 
 TEST_CASE("a tick that is computed again is the same: saves, restarts, waits, shared tables, noise, detectors, threads",
           "[embed][past][proof]") {
-    const int seeks = number_from_environment("NEZUMI_SEEKS", 60), longest = number_from_environment("NEZUMI_SEEK_TICKS", 400);
+    const int seeks = number_from_environment("NEZUMI_SEEKS", 60),
+              longest = number_from_environment("NEZUMI_SEEK_TICKS", 400);
     int done = 0;
     std::size_t ticks = 0, branches = 0;
     for (unsigned seed = 1; done < seeks; ++seed) {
