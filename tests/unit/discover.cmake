@@ -1,7 +1,7 @@
 # Lists a test executable's cases for ctest; Catch2's own script breaks names at a semicolon.
-# A case that computes takes two slots of the four that tests/run_tests gives ctest for each processor.
+# SLOTS: how many of ctest's a case takes that computes.
 # Usage: cmake -DTESTS=path -DCASES=file -DPREFIX=engine/ -DFOLDER=where -DSANITIZED=OFF|address|thread -DCATCH2=version
-#              -P discover.cmake
+#              -DSLOTS=number -P discover.cmake
 
 if(CATCH2 VERSION_LESS 3)
   set(list_names --list-test-names-only)
@@ -53,11 +53,11 @@ if(SANITIZED)
 endif()
 if(SANITIZED STREQUAL thread)
   # This sanitizer keeps signals back until a thread calls something that it knows, which a loop of Lua's never does.
-  list_cases("~[watchdog]~[wallclock]~[long]~[.]" "PROCESSORS 2")
+  list_cases("~[watchdog]~[wallclock]~[long]~[.]" "PROCESSORS ${SLOTS}")
   list_cases("[wallclock][threads]~[watchdog]~[.]" "LABELS wallclock")
 else()
-  list_cases("~[watchdog]~[wallclock]~[.]${unsanitized}" "PROCESSORS 2")
-  list_cases("[watchdog]~[wallclock]~[.]${unsanitized}" "LABELS watchdog PROCESSORS 2")
+  list_cases("~[watchdog]~[wallclock]~[.]${unsanitized}" "PROCESSORS ${SLOTS}")
+  list_cases("[watchdog]~[wallclock]~[.]${unsanitized}" "LABELS watchdog PROCESSORS ${SLOTS}")
   if(SANITIZED)
     set(threads "[threads]")  # threads and processes at work together, within times that even a sanitizer keeps
   endif()
