@@ -34,7 +34,7 @@ void list_leds(const Shape& hull, const std::vector<bool>& on, std::vector<Solid
 }  // namespace
 
 SimCamera::SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, const CameraMount& mount,
-                     const CameraSettings& settings, std::optional<Distortion> distortion)
+                     const CameraSettings& settings, std::shared_ptr<const Distortion> distortion)
     : world_(world),
       carrier_(carrier),
       on_carrier_{to_vec(mount.at), yaw_pitch_rotation(mount.yaw, mount.pitch)},
@@ -91,14 +91,15 @@ Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount&
     if (!mount.robot.empty() && !carrier)
         return failure(fmt::format("there is no robot '{}' that could carry a camera", shown(mount.robot)));
     const CameraIntrinsics wanted = settings.intrinsics();
-    std::optional<Distortion> distortion;
-    if (std::array{wanted.k1, wanted.k2, wanted.p1, wanted.p2, wanted.k3, wanted.k4, wanted.k5, wanted.k6} !=
-        std::array<double, 8>{}) {
+    const bool distorts =
+        std::array{wanted.k1, wanted.k2, wanted.p1, wanted.p2, wanted.k3, wanted.k4, wanted.k5, wanted.k6} !=
+        std::array<double, 8>{};
+    if (distorts && (lens_ == nullptr || lens_->intrinsics() != wanted)) {
         auto made = Distortion::make(wanted);
         if (!made) return Unexpected(made.error());
-        distortion = std::move(*made);
+        lens_ = std::make_shared<const Distortion>(std::move(*made));
     }
-    return std::make_unique<SimCamera>(*this, carrier, mount, settings, std::move(distortion));
+    return std::make_unique<SimCamera>(*this, carrier, mount, settings, distorts ? lens_ : nullptr);
 }
 
 View OdeWorld::frame_of(RobotId id) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "engine/world/camera_source.hpp"
@@ -20,7 +21,7 @@ class SimCamera final : public CameraSource {
 public:
     /// `world` must outlive this object. `distortion` comes from the camera's settings, if they have one.
     SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, const CameraMount& mount,
-              const CameraSettings& settings, std::optional<Distortion> distortion);
+              const CameraSettings& settings, std::shared_ptr<const Distortion> distortion);
 
     CameraIntrinsics intrinsics() const override { return intrinsics_; }
     std::optional<double> expose(const Time& now) override;
@@ -32,7 +33,7 @@ private:
     View on_carrier_;
     CameraSettings settings_;
     CameraIntrinsics intrinsics_;
-    std::optional<Distortion> distortion_;
+    std::shared_ptr<const Distortion> distortion_;  // nullptr: the lens does not distort
     ImageNoise noise_;
     std::vector<std::uint8_t> undistorted_;  // a buffer, kept to avoid allocation
     std::map<int, Picture> tags_;            // by id: the tags that were painted before

@@ -17,6 +17,8 @@ public:
     /// picture.
     static Expected<Distortion> make(const CameraIntrinsics& intrinsics);
 
+    /// The intrinsics of the camera.
+    const CameraIntrinsics& intrinsics() const { return intrinsics_; }
     /// The intrinsics of the pinhole picture to be painted.
     const CameraIntrinsics& pinhole() const { return pinhole_; }
     /// Draws the distorted picture from the pinhole picture. Both have `channels` bytes per pixel.

@@ -30,6 +30,8 @@ namespace nezumi::sim {
 /// [m] Smaller overlaps of things are allowed, because users stack things only roughly.
 inline constexpr double least_overlap_of_things = 1e-3;
 
+class Distortion;
+
 class OdeWorld final : public World {
 public:
     OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::function<void(const std::string&)> warn);
@@ -176,6 +178,7 @@ private:
     std::atomic<bool> signals_have_changed_ = false;
     std::optional<Picture> floor_;
     Point2D floor_size_{};
+    std::shared_ptr<const Distortion> lens_;  // of the camera that was opened last: cameras of the same kind share it
     std::unique_ptr<SoundFiles> sounds_;  // must be destroyed before the members that its warnings use
 };
 
