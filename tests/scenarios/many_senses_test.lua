@@ -100,7 +100,7 @@ end)
 scenario("mice that look in all directions become a flock", {
   timeout = 60,
   sweep = { one = range(-0.05, 0.05), two = range(-0.05, 0.05), three = range(-3, 3) },
-  samples = 2,
+  samples = 1,
 }, function(s, p)
   local world = s:load "systems/flock.lua"
   local mice = {}
