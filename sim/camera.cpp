@@ -91,15 +91,14 @@ Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount&
     if (!mount.robot.empty() && !carrier)
         return failure(fmt::format("there is no robot '{}' that could carry a camera", shown(mount.robot)));
     const CameraIntrinsics wanted = settings.intrinsics();
-    const bool distorts =
-        std::array{wanted.k1, wanted.k2, wanted.p1, wanted.p2, wanted.k3, wanted.k4, wanted.k5, wanted.k6} !=
-        std::array<double, 8>{};
-    if (distorts && (lens_ == nullptr || lens_->intrinsics() != wanted)) {
+    const bool distorts = std::array{wanted.k1, wanted.k2, wanted.p1, wanted.p2,
+                                     wanted.k3, wanted.k4, wanted.k5, wanted.k6} != std::array<double, 8>{};
+    if (distorts && (last_distortion_ == nullptr || last_distortion_->intrinsics() != wanted)) {
         auto made = Distortion::make(wanted);
         if (!made) return Unexpected(made.error());
-        lens_ = std::make_shared<const Distortion>(std::move(*made));
+        last_distortion_ = std::make_shared<const Distortion>(std::move(*made));
     }
-    return std::make_unique<SimCamera>(*this, carrier, mount, settings, distorts ? lens_ : nullptr);
+    return std::make_unique<SimCamera>(*this, carrier, mount, settings, distorts ? last_distortion_ : nullptr);
 }
 
 View OdeWorld::frame_of(RobotId id) const {
