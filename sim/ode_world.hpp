@@ -178,8 +178,8 @@ private:
     std::atomic<bool> signals_have_changed_ = false;
     std::optional<Picture> floor_;
     Point2D floor_size_{};
-    std::shared_ptr<const Distortion>
-        last_distortion_;                 // of the camera that was opened last: cameras of the same kind share it
+    // Of the camera that was opened last: cameras of the same kind share it.
+    std::shared_ptr<const Distortion> last_distortion_;
     std::unique_ptr<SoundFiles> sounds_;  // must be destroyed before the members that its warnings use
 };
 
