@@ -1,6 +1,7 @@
 // The objects of the tree of names: a system, its components, their ports and parameters, and the truth about a robot.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -192,16 +193,37 @@ ObjectFunctions node_functions(ObjectKind kind) {
     }
 }
 
+const FoundNode* Objects::find_node(const ObjectRef& ref, std::string_view path) const {
+    constexpr std::size_t most = 64;
+    RunningSystem* const live = ref.live();
+    if (live == nullptr) return nullptr;
+    std::vector<FoundNode>& found = core_->found;
+    const std::uint64_t layout = std::as_const(*live).system().layout();
+    const auto known = std::find_if(found.begin(), found.end(), [&](const FoundNode& each) {
+        return each.path == path && each.component == ref.component() && each.kind == ref.kind &&
+               each.port == ref.port() && each.live == live;
+    });
+    if (known != found.end() && known->generation == live->generation() && known->layout == layout) return &*known;
+    if (known != found.end()) found.erase(known);
+    auto node = node_of(ref);
+    std::string_view below = path;
+    while (node && !below.empty() && !node->is_value()) node = node->child(take_step(below));
+    if (!node || node->kind() == NodeKind::data) return nullptr;
+    if (found.size() == most) found.clear();
+    found.push_back({live, live->generation(), layout, ref.kind, std::string(ref.component()), std::string(ref.port()),
+                     std::string(path), std::move(*node), std::string(below)});
+    return &found.back();
+}
+
 std::optional<Value> Objects::scalar_at(lua_State* L, int index, std::string_view path) const {
     const ObjectRef* ref = to_object(L, index);
     if (ref == nullptr || !ObjectAccess::is_ready(*this)) return std::nullopt;
-    auto node = node_of(*ref);
-    while (node && !path.empty() && !node->is_value()) node = node->child(take_step(path));
-    if (!node || node->kind() == NodeKind::data) return std::nullopt;
-    auto value = node->value_at(path);
+    const FoundNode* found = find_node(*ref, path);
+    if (found == nullptr) return std::nullopt;
+    auto value = found->node.value_at(found->below);
     Value* const held = value ? std::get_if<Value>(&*value) : nullptr;
     if (held == nullptr || !(held->type().is_number() || held->is<bool>())) return std::nullopt;
-    if (node->port() != nullptr && on_read_) on_read_({ref->live(), node->component(), node->port()});
+    if (found->node.port() != nullptr && on_read_) on_read_({ref->live(), found->node.component(), found->node.port()});
     return std::move(*held);
 }
 

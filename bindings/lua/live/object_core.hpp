@@ -13,6 +13,7 @@
 #include "bindings/lua/live/objects.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/plain_data.hpp"
+#include "engine/tree/node.hpp"
 
 namespace nezumi {
 
@@ -65,12 +66,25 @@ using Answer = std::variant<Value, PlainSnapshot, ObjectName, MethodName>;
 /// Whether the tables of an answer belong to the caller, or are read-only copies.
 enum class Tables : bool { own, locked };
 
+/// Where the path of a number begins: the last node that stays the same as long as the system's layout does, and the
+/// path from there. Conditions ask for the same few paths after each tick.
+struct FoundNode {
+    const RunningSystem* live;
+    int generation;
+    std::uint64_t layout;
+    ObjectKind kind;
+    std::string component, port, path;  ///< as asked
+    TreeNode node;
+    std::string below;
+};
+
 /// C++ values that live between finding an answer and pushing it. A Lua error may jump over the functions in between.
 struct Objects::Core {
     LuaState* state = nullptr;
     std::function<RunningSystem&()> current;
     Actor who;
     Answer answer;
+    std::vector<FoundNode> found;
 };
 
 /// Access to private members of `Objects`.

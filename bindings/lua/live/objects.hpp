@@ -21,6 +21,9 @@
 
 namespace nezumi {
 
+struct FoundNode;
+struct ObjectRef;
+
 /// A component and its system.
 struct ComponentAt {
     RunningSystem* live;
@@ -88,6 +91,9 @@ public:
 
 private:
     Objects();
+
+    /// The node where the value at a path begins, found once for each layout of the system. Null if there is none.
+    const FoundNode* find_node(const ObjectRef& ref, std::string_view path) const;
 
     bool hardware_ = false;
     std::function<void(const PortAt&)> on_read_;

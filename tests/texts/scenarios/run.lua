@@ -28,6 +28,22 @@ s:always('yes', function() return s:now() == 0 end)
 --- A scenario can't declare another scenario.
 do scenario('inner', function() end) end  -- error: scenario: a scenario can't declare another scenario: declare it at the top level of the file
 
+--- A condition reads the ports of the version that runs.
+local it = s:behavior('it', { script = 'robot_controller' })
+for version, type in ipairs { 'TimedDouble', 'TimedLong', 'TimedFloat' } do
+  s:reload('it', { text = ("local out = output('out', '%s') function on_execute() out:write(%d) end"):format(type, version) })
+  s:run(0.1)
+  if version == 1 then s:always('small', function() return it.out.value < 3 end) end
+  -- failed: always 'small' held until 0.20 s and failed at 0.21 s
+end
+-- prints: [   0.000] info behaviors/robot_controller.lua: version 2 runs in it
+-- prints: [   0.000] warn it.in was removed; it was not connected
+-- prints: [   0.000] warn it.out is TimedDouble now, not TimedVelocity2D; it was not connected
+-- prints: [   0.100] info behaviors/robot_controller.lua: version 3 runs in it
+-- prints: [   0.100] warn it.out is TimedLong now, not TimedDouble; it was not connected
+-- prints: [   0.200] info behaviors/robot_controller.lua: version 4 runs in it
+-- prints: [   0.200] warn it.out is TimedFloat now, not TimedLong; it was not connected
+
 --- A violated always ends the scenario at once, and pcall can't catch it.
 s:load 'systems/stop_at_wall.lua'
 s:always('rests', function() return s:now() < 0.5 end)  -- failed: always 'rests' held until 0.49 s and failed at 0.50 s
