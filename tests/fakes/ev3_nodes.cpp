@@ -10,6 +10,8 @@
 #include <cstring>
 #include <thread>
 
+#include "engine/base/list.hpp"
+
 namespace nezumi::fakes {
 namespace {
 
@@ -86,7 +88,7 @@ std::optional<Ev3Nodes::Place> Ev3Nodes::find(const std::string& name) {
         const std::string its_folder = device.motor ? fmt::format("{}/motor{}", motor_class, device.number)
                                                     : fmt::format("{}/sensor{}", sensor_class, device.number);
         const auto& attributes = device.motor ? motor_attributes : sensor_attributes;
-        if (folder == its_folder && std::find(attributes.begin(), attributes.end(), attribute) != attributes.end())
+        if (folder == its_folder && contains(attributes, attribute))
             return Place{&device, device.port + "/" + attribute, attribute};
     }
     return std::nullopt;
@@ -197,7 +199,7 @@ bool Ev3Nodes::press(const std::string& key, bool pressed) {
 bool Ev3Nodes::set_fault(const std::string& node, const std::string& fault) {
     const std::lock_guard lock(mutex_);
     const bool is_node = plain_.contains(node) || device_at(node.substr(0, node.find('/'))) != nullptr;
-    if (!is_node || std::find(ev3_faults.begin(), ev3_faults.end(), fault) == ev3_faults.end()) return false;
+    if (!is_node || !contains(ev3_faults, fault)) return false;
     faults_[node] = fault;
     changed_.notify_all();
     return true;

@@ -9,6 +9,8 @@
 #include <chrono>
 #include <thread>
 
+#include "engine/base/list.hpp"
+
 namespace nezumi::fakes {
 namespace {
 
@@ -161,8 +163,7 @@ std::string MouseNodes::say(const std::string& name, double now) {
 bool MouseNodes::set_fault(const std::string& node, const std::string& fault) {
     const std::lock_guard lock(mutex_);
     const auto found = nodes_.find(node);
-    if (found == nodes_.end() || std::find(mouse_faults.begin(), mouse_faults.end(), fault) == mouse_faults.end())
-        return false;
+    if (found == nodes_.end() || !contains(mouse_faults, fault)) return false;
     found->second.fault = fault;
     changed_.notify_all();
     return true;

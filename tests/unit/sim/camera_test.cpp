@@ -56,6 +56,20 @@ TEST_CASE("a picture's bytes agree with its size and format", "[sim][camera]") {
     CHECK(gray.pixels.size() == 33 * 17);
 }
 
+TEST_CASE("each camera has its own lens, whichever was opened before", "[sim][camera]") {
+    ArenaSpec arena;
+    arena.boxes = {block(1, 0.3, "red")};
+    TryWorld w(arena);
+    const auto picture = [&](double k1) { return shoot(*w.world, {.at = {0, 0, 0.1}}, {.k1 = k1}).pixels; };
+    const auto pinhole = picture(0), barrel = picture(-0.2), pincushion = picture(0.2);
+    CHECK(barrel != pinhole);
+    CHECK(pincushion != pinhole);
+    CHECK(pincushion != barrel);
+    CHECK(picture(0.2) == pincushion);
+    CHECK(picture(-0.2) == barrel);
+    CHECK(picture(0) == pinhole);
+}
+
 TEST_CASE("the floor is below the horizon, and the sky above it", "[sim][camera]") {
     TryWorld w;
     const CameraImage image = shoot(*w.world, {.at = {0, 0, 0.1}});
