@@ -256,7 +256,9 @@ std::optional<double> OdeWorld::clearance(RobotId id, double most) const {
         // Skips the exact computation for shapes that can't be nearer than the nearest one so far.
         const double dx = shape.centre.x() - hull.centre.x(), dy = shape.centre.y() - hull.centre.y();
         const double far = least + reach + shape.reach();
-        if (dx * dx + dy * dy < far * far) least = std::min(least, gap_from_above(hull, shape));
+        if (dx * dx + dy * dy >= far * far) return;
+        if (distance_from_above(shape, hull.centre.x(), hull.centre.y()) - reach >= least) return;
+        least = std::min(least, gap_from_above(hull, shape));
     };
     // Searches a small range first, which is fast. If an object is found there, no larger search is needed.
     for (const double range : {0.1 * most, most}) {

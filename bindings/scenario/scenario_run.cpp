@@ -89,8 +89,7 @@ Expected<void> ScenarioRun::open() {
 }
 
 std::optional<double> ScenarioRun::clearance(lua_State* lua, int index, double most) const {
-    if (to_object(lua, index, ObjectKind::component) == nullptr) return std::nullopt;
-    const auto at = objects_->to_component(lua, index);
+    const auto at = objects_->component_of(lua, index);
     if (!at) return std::nullopt;
     const auto seen = seen_robot(at->live->system(), *at->component);
     return seen ? seen->world->clearance(seen->id, std::min(most, World::most_clearance)) : std::nullopt;

@@ -94,9 +94,9 @@ Expected<double> csv_number(const std::string& field, const CsvColumn& column, c
         return failure(fmt::format("column '{}': expected {}, got '{}'", column.name, expected, shown(field)), place);
     }
     if (std::abs(*value) > largest) {
-        return failure(
-            fmt::format("column '{}': expected a number up to {}, got '{}'", column.name, largest, shown(field)),
-            place);
+        return failure(fmt::format("column '{}': expected {}, got '{}'", column.name, number_within(largest, *value),
+                                   shown(field)),
+                       place);
     }
     return *value;
 }

@@ -1,9 +1,12 @@
-// Converts texts to numbers.
+// Converts texts to numbers, and words for the bounds of numbers.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -30,6 +33,11 @@ inline std::optional<double> finite_in(std::string_view text) {
 inline std::optional<double> signed_finite_in(std::string_view text) {
     if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
     return finite_in(text);
+}
+
+/// What is expected instead of a number above `most` or below -`most`: "a number up to 5", "a number from -5 on".
+inline std::string number_within(double most, double got) {
+    return got < 0 ? fmt::format("a number from {} on", -most) : fmt::format("a number up to {}", most);
 }
 
 }  // namespace nezumi

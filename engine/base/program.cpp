@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -60,12 +61,15 @@ void UnnamedFile::rewind() const {
     if (file_ >= 0) lseek(file_, 0, SEEK_SET);
 }
 
-std::string UnnamedFile::text() const {
+std::string UnnamedFile::text(std::size_t most) const {
     std::string text;
     std::array<char, 4096> buffer{};
+    struct stat status {};
+    const std::size_t size = fstat(file_, &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;
+    const std::size_t begin = size - std::min(size, most);
     for (;;) {
         const ssize_t length =
-            file_ < 0 ? 0 : pread(file_, buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
+            file_ < 0 ? 0 : pread(file_, buffer.data(), buffer.size(), static_cast<off_t>(begin + text.size()));
         if (length < 0 && errno == EINTR) continue;
         if (length <= 0) return text;
         text.append(buffer.data(), static_cast<std::size_t>(length));

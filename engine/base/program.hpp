@@ -27,8 +27,8 @@ public:
     int file() const { return file_; }
     /// The next reader reads from the start.
     void rewind() const;
-    /// The whole content.
-    std::string text() const;
+    /// The whole content, or its last `most` bytes.
+    std::string text(std::size_t most = std::string::npos) const;
 
 private:
     int file_;

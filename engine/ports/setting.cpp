@@ -6,6 +6,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "engine/base/number_in.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -34,7 +36,7 @@ std::string check_number(double number, const Rule& rule, std::string_view unit)
         return fmt::format("expected {}, got {}", words_for(rule), number);
     if (std::abs(number) > rule.most)
         return fmt::format("expected {}, got {}",
-                           has_own_bound(rule) ? words_for(rule) : fmt::format("a number up to {}", rule.most), number);
+                           has_own_bound(rule) ? words_for(rule) : number_within(rule.most, number), number);
     const bool may_be_zero = rule.range == NumberRange::not_negative;
     if (rule.least <= 0 || number >= rule.least || (number == 0 && may_be_zero)) return "";
     return fmt::format("expected at least {}{}{}{}, got {}", rule.least, unit.empty() ? "" : " ", unit,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 
@@ -110,6 +111,11 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
     by_name_.emplace(added->name(), added);
     components_.push_back(std::move(component));
     return added;
+}
+
+std::uint64_t System::new_layout() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
 }
 
 Expected<void> System::remove(std::string_view name) {

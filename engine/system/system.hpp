@@ -166,14 +166,16 @@ public:
     void observe(PortObserver& observer) { observers_.push_back(&observer); }
     void stop_observing(PortObserver& observer) { std::erase(observers_, &observer); }
 
-    /// A number that changes when a component or a port is added or removed, for caches.
+    /// A number that changes when a component or a port is added or removed, for caches. No two systems have the same
+    /// number.
     std::uint64_t layout() const { return layout_; }
     /// Call this before ports of a component change.
-    void change_layout() { ++layout_; }
+    void change_layout() { layout_ = new_layout(); }
 
     void log(LogLevel level, std::string text) const;
 
 private:
+    static std::uint64_t new_layout();
     double seconds_at(std::int64_t tick) const;
     void pass_left_out_ticks();
     bool is_due(const Component& component) const;
@@ -210,7 +212,7 @@ private:
     std::vector<ConnectionSpec> foreign_;
     ForeignCheck foreign_check_;
     std::vector<Group> groups_;
-    std::uint64_t layout_ = 0;
+    std::uint64_t layout_ = new_layout();
     bool grouped_ = false;                               // whether groups_ is up to date with components_ and wiring_
     std::map<std::string, Actor, std::less<>> holders_;  // by "name.port"; of a port without override: its last holder
     bool stopped_ = false;

@@ -7,14 +7,23 @@
 namespace nezumi {
 
 void TraceHash::latched(const System& system) {
+    if (layout_ != system.layout()) take_names(system);
     const std::int64_t tick = system.now().tick;
+    auto name = names_.begin();
+    for (const auto& component : system.components()) {
+        for (const auto& port : component->out_ports()) {
+            const std::uint64_t who = *name++;
+            if (port->latched_tick() == tick) hash_ += port->hash_latched(mix(who, static_cast<std::uint64_t>(tick)));
+        }
+    }
+}
+
+void TraceHash::take_names(const System& system) {
+    layout_ = system.layout();
+    names_.clear();
     for (const auto& component : system.components()) {
         const std::uint64_t owner = mix(0, std::string_view(component->name()));
-        for (const auto& port : component->out_ports()) {
-            if (port->latched_tick() != tick) continue;
-            const std::uint64_t who = mix(owner, std::string_view(port->name()));
-            hash_ += port->hash_latched(mix(who, static_cast<std::uint64_t>(tick)));
-        }
+        for (const auto& port : component->out_ports()) names_.push_back(mix(owner, std::string_view(port->name())));
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "engine/system/system.hpp"
 
@@ -15,7 +16,11 @@ public:
     std::uint64_t value() const { return hash_; }
 
 private:
+    void take_names(const System& system);
+
     std::uint64_t hash_ = 0;
+    std::vector<std::uint64_t> names_;  // the hash of each port's name, in the order of components and ports
+    std::uint64_t layout_ = 0;          // of the system to which they belong
 };
 
 }  // namespace nezumi

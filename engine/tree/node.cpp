@@ -49,14 +49,14 @@ const Type* type_below(const Type& type, std::string_view step) {
     return field != nullptr ? field->type : nullptr;
 }
 
-std::optional<Value> value_below(const ValueView& value, std::string_view part) {
-    if (part.empty()) return Value(value);
-    const std::string_view step = take_step(part);
-    if (!is_list(*value.type)) {
-        const Type::Field* field = find_field(*value.type, step);
-        return field != nullptr ? value_below(value.field(*field), part) : std::nullopt;
+std::optional<Value> value_below(ValueView value, std::string_view part) {
+    while (!part.empty() && !is_list(*value.type)) {
+        const Type::Field* field = find_field(*value.type, take_step(part));
+        if (field == nullptr) return std::nullopt;
+        value = value.field(*field);
     }
-    const std::size_t place = place_of(step);
+    if (part.empty()) return Value(value);
+    const std::size_t place = place_of(take_step(part));
     if (place == 0 || place > value.count()) return std::nullopt;
     return with_element(value, place - 1, [&](const ValueView& element) { return value_below(element, part); });
 }

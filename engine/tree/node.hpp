@@ -80,7 +80,9 @@ public:
     Expected<NodeValue> value(const PlainLimit& limit = {}) const { return value_of(part_, limit); }
     /// The present value at a path of fields and elements below this node ("position.x"), without making nodes. Nothing
     /// if there is none.
-    Expected<NodeValue> value_at(std::string_view path) const { return value_of(join_path(part_, path), {}); }
+    Expected<NodeValue> value_at(std::string_view path) const {
+        return part_.empty() ? value_of(path, {}) : value_of(join_path(part_, path), {});
+    }
     /// Whether all names below are fields and elements of the node's value.
     bool is_value() const { return kind() == Kind::value || kind() == Kind::truth || kind() == Kind::parameter; }
 

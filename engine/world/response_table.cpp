@@ -17,9 +17,9 @@ Expected<ResponseTable> ResponseTable::from_points(std::vector<Point> points, do
     if (!std::isfinite(range) || range <= 0)
         return failure(fmt::format("a range of {} m is not a positive number", range));
     if (!std::isfinite(nothing)) return failure("the value for nothing in sight is not a finite number");
-    if (std::isnan(minimum) || std::isnan(maximum) || minimum > maximum) {
+    if (std::isnan(minimum) || std::isnan(maximum)) return failure("the values' minimum or maximum is not a number");
+    if (minimum > maximum)
         return failure(fmt::format("the values' minimum {} is above their maximum {}", minimum, maximum));
-    }
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!std::isfinite(points[i].distance) || points[i].distance < 0 || !std::isfinite(points[i].value)) {
             return failure(fmt::format("point {} ({} m, {}) is not a distance and a finite value", i + 1,

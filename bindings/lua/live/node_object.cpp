@@ -200,18 +200,18 @@ const FoundNode* Objects::find_node(const ObjectRef& ref, std::string_view path)
     std::vector<FoundNode>& found = core_->found;
     const std::uint64_t layout = std::as_const(*live).system().layout();
     const auto known = std::find_if(found.begin(), found.end(), [&](const FoundNode& each) {
-        return each.path == path && each.component == ref.component() && each.kind == ref.kind &&
-               each.port == ref.port() && each.live == live;
+        return each.live == live && each.kind == ref.kind && each.path == path && each.component == ref.component() &&
+               each.port == ref.port();
     });
-    if (known != found.end() && known->generation == live->generation() && known->layout == layout) return &*known;
+    if (known != found.end() && known->layout == layout) return &*known;
     if (known != found.end()) found.erase(known);
     auto node = node_of(ref);
     std::string_view below = path;
     while (node && !below.empty() && !node->is_value()) node = node->child(take_step(below));
     if (!node || node->kind() == NodeKind::data) return nullptr;
     if (found.size() == most) found.clear();
-    found.push_back({live, live->generation(), layout, ref.kind, std::string(ref.component()), std::string(ref.port()),
-                     std::string(path), std::move(*node), std::string(below)});
+    found.push_back({live, layout, ref.kind, std::string(ref.component()), std::string(ref.port()), std::string(path),
+                     std::move(*node), std::string(below)});
     return &found.back();
 }
 
@@ -225,6 +225,12 @@ std::optional<Value> Objects::scalar_at(lua_State* L, int index, std::string_vie
     if (held == nullptr || !(held->type().is_number() || held->is<bool>())) return std::nullopt;
     if (found->node.port() != nullptr && on_read_) on_read_({ref->live(), found->node.component(), found->node.port()});
     return std::move(*held);
+}
+
+std::optional<ComponentAt> Objects::component_of(lua_State* L, int index) const {
+    const ObjectRef* ref = to_object(L, index, ObjectKind::component);
+    const FoundNode* found = ref != nullptr ? find_node(*ref, "") : nullptr;
+    return found != nullptr ? std::optional(ComponentAt{ref->live(), found->node.component()}) : std::nullopt;
 }
 
 RunningSystem* Objects::to_system(lua_State* L, int index) {

@@ -70,7 +70,6 @@ enum class Tables : bool { own, locked };
 /// path from there. Conditions ask for the same few paths after each tick.
 struct FoundNode {
     const RunningSystem* live;
-    int generation;
     std::uint64_t layout;
     ObjectKind kind;
     std::string component, port, path;  ///< as asked

@@ -14,9 +14,8 @@
 namespace nezumi {
 namespace {
 
-// The addresses of these constants are keys: of the metatables in the registry, and of the marks of each kind.
-constexpr char metatable_keys[object_kinds] = {};
-constexpr char mark_key = 0;
+constexpr char metatable_keys[object_kinds] = {};  // their addresses are keys of the registry
+constexpr int mark_index = 1;                      // only the metatables of objects have an element
 
 ObjectFunctions functions_of(ObjectKind kind) {
     switch (kind) {
@@ -46,7 +45,7 @@ void set_function(lua_State* L, Objects& objects, const char* name, lua_CFunctio
 
 void make_metatable(lua_State* L, Objects& objects, std::size_t kind) {
     const ObjectFunctions functions = functions_of(static_cast<ObjectKind>(kind));
-    lua_createtable(L, 0, 8);
+    lua_createtable(L, mark_index, 8);
     set_function(L, objects, "__index", functions.index);
     set_function(L, objects, "__newindex", functions.newindex);
     set_function(L, objects, "__pairs", functions.pairs);
@@ -58,7 +57,7 @@ void make_metatable(lua_State* L, Objects& objects, std::size_t kind) {
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
     lua_pushboolean(L, 1);
-    lua_rawsetp(L, -2, &mark_key);
+    lua_rawseti(L, -2, mark_index);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &metatable_keys[kind]);
 }
 
@@ -108,7 +107,7 @@ void Objects::push_port(lua_State* L, RunningSystem& live, std::string_view comp
 ObjectRef* to_object(lua_State* L, int index) {
     if (lua_type(L, index) != LUA_TUSERDATA || lua_checkstack(L, 3) == 0 || lua_getmetatable(L, index) == 0)
         return nullptr;
-    const bool ours = lua_rawgetp(L, -1, &mark_key) != LUA_TNIL;
+    const bool ours = lua_rawgeti(L, -1, mark_index) != LUA_TNIL;
     lua_pop(L, 2);
     return ours ? static_cast<ObjectRef*>(lua_touserdata(L, index)) : nullptr;
 }

@@ -81,6 +81,8 @@ public:
     /// The number or boolean that the object at `index` has at a path: "truth.pose.position.x". Nothing for anything
     /// else, also an error.
     std::optional<Value> scalar_at(lua_State* L, int index, std::string_view path) const;
+    /// The component of a component object; nothing for anything else, also if there is none now.
+    std::optional<ComponentAt> component_of(lua_State* L, int index) const;
     /// A system object; null for anything else.
     static RunningSystem* to_system(lua_State* L, int index);
     /// Applies a method of ports ("inject", "hold", "release") to the port at `index`, with the arguments after it, in

@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -63,13 +62,7 @@ void PupilRun::hurry(Clock::time_point now) {
     if (asked_ && now - *asked_ > longest_end) give_up_ = true;
 }
 
-std::string PupilRun::said() const {
-    struct stat status {};
-    if (fstat(errors_.file(), &status) == 0 && static_cast<std::size_t>(status.st_size) > longest_said) {
-        [[maybe_unused]] const int done = ftruncate(errors_.file(), 0);
-    }
-    return errors_.text();
-}
+std::string PupilRun::said() const { return errors_.text(longest_said); }
 
 std::size_t PupilRun::memory() const {
     std::ifstream file(fmt::format("/proc/{}/statm", process_.load()));

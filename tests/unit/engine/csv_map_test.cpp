@@ -139,6 +139,8 @@ TEST_CASE("an error in a field of a map has the line, the column and the expecte
     CHECK(map_error(header + "1e999,0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got '1e999'");
     CHECK(map_error(header + "0,0,0,1e300,1,1,0\n") ==
           "map.csv:2: column 'lx': expected a number up to 1000000, got '1e300'");
+    CHECK(map_error(header + "-2e6,0,0,1,1,1,0\n") ==
+          "map.csv:2: column 'x': expected a number from -1000000 on, got '-2e6'");
     CHECK(map_error(header + "0,0,0x10,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '0x10'");
     CHECK(map_error(header + "0,0,+-1,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '+-1'");
     CHECK(map_error(header + "0,0,1 2,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '1 2'");

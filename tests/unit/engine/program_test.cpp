@@ -27,6 +27,8 @@ TEST_CASE("a program reads what it is given, and no shell sees its words", "[eng
     const UnnamedFile output;
     CHECK(problem_of(run_program({.words = {"echo", "a  b"}, .output = output.file()})).empty());
     CHECK(output.text() == "a  b\n");
+    CHECK(output.text(3) == " b\n");
+    CHECK(output.text(100) == "a  b\n");
 }
 
 TEST_CASE("a program that says much is not kept waiting", "[engine][program]") {

@@ -129,6 +129,7 @@ TEST_CASE("a response table refuses invalid points", "[engine][response]") {
     CHECK(table_error({{0.1, 1}, {0.2, infinity}}) == "point 2 (0.2 m, inf) is not a distance and a finite value");
     CHECK(table_error({{0.1, 1}, {0.2, 2}}, 0) == "a range of 0 m is not a positive number");
     CHECK(table_error({{0.1, 1}, {0.2, 2}}, 1, 5, 4) == "the values' minimum 5 is above their maximum 4");
+    CHECK(table_error({{0.1, 1}, {0.2, 2}}, 1, std::nan(""), 4) == "the values' minimum or maximum is not a number");
 }
 
 TEST_CASE("a response table's file names the line of a bad row", "[engine][response]") {

@@ -86,6 +86,7 @@ TEST_CASE("a move to an impossible place is refused and changes nothing", "[sim]
           "box 2 at x = 1.99, y = 1.5 overlaps the arena's wall: move one of them");
     CHECK(refusal(w, "box 1", {{NAN, 0}, 0}) == "box 1: its pose: expected a finite number, got nan");
     CHECK(refusal(w, "box 1", {{1e300, 0}, 0}) == "box 1: its pose: expected a number up to 1000000, got 1e+300");
+    CHECK(refusal(w, "box 1", {{-1e300, 0}, 0}) == "box 1: its pose: expected a number from -1000000 on, got -1e+300");
     CHECK(refusal(w, "wall", {{0, 0}, 0}) == "the walls of the arena's border can't be moved");
     CHECK(refusal(w, "box 7", {{0, 0}, 0}).find("there is no thing 'box 7' (did you mean 'box ") == 0);
     const auto after = w.world->things();
