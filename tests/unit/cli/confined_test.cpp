@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/base/sanitizers.hpp"
 #include "tests/unit/cli/need_landlock.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
@@ -103,6 +104,10 @@ TEST_CASE("a confined system reaches no host and no device", "[cli][class]") {
 
 TEST_CASE("a confined program writes only in its folder, and not more than its bounds", "[cli][class]") {
     need_landlock();
+#if defined(NEZUMI_THREAD_SANITIZER)
+    throw std::runtime_error(
+        "SKIPPED: cairo takes locks in two orders, and a confined program can't read lock_orders.txt");
+#endif
     Neighbours neighbours;
     const std::string mine = neighbours.path("pupils/01").string();
     const auto run = [&](const std::string& out) {
