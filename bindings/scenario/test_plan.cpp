@@ -15,6 +15,7 @@
 #include "engine/base/find_files.hpp"
 #include "engine/base/list.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/project/folders.hpp"
 #include "engine/project/near_path.hpp"
 
 namespace nezumi {
@@ -131,6 +132,12 @@ std::vector<fs::path> scenario_folders(const fs::path& root) {
     return folders;
 }
 
+// Scenarios of exercises fail until a pupil has solved them, so they run only where they are named.
+bool is_of_exercise(const fs::path& file, const fs::path& root) {
+    const fs::path below = file.lexically_relative(root / exercises_folder);
+    return !below.empty() && *below.begin() != "..";
+}
+
 // Compares the runs in pairs by this key, for every scenario that has it.
 Expected<void> pair(TestPlan& plan, const std::string& name) {
     if (name.empty()) return {};
@@ -245,6 +252,7 @@ Expected<std::vector<fs::path>> find_scenario_files(const std::vector<fs::path>&
             files.insert(files.end(), named->begin(), named->end());
         }
     }
+    if (paths.empty()) std::erase_if(files, [&](const fs::path& file) { return is_of_exercise(file, root); });
     // A file that is named twice runs once.
     std::vector<fs::path> once;
     std::vector<fs::path> known;

@@ -30,6 +30,7 @@
 #include "engine/base/number_in.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/devices/wired_device.hpp"
+#include "engine/project/folders.hpp"
 #include "engine/project/near_path.hpp"
 #include "engine/project/project.hpp"
 
@@ -88,7 +89,7 @@ int run_class(const ClassWords& words) {
     if (problem) return refuse({"can't be made: " + problem.message(), {words.folder}});
     web::ClassOptions options{.folder = folder, .program = own_program(), .trust = words.trust};
     for (const std::filesystem::path& installed : installed_folders()) {
-        options.exercises.push_back(installed / "behaviors/exercises");
+        options.exercises.push_back(installed / exercises_folder);
         options.page = installed / "bindings/web/page";
     }
     if (!words.collect.empty()) {

@@ -104,8 +104,8 @@ SubCommand test_command() {
              {"-o,--output", &options->folder, "the folder for traces and pictures of failures", "DIR"}},
         .run = [options] { return test(std::move(*options)); },
         .footer =
-            "Without PATHS: the scenarios in tests/ and behaviors/ of the project. Exit status: 0 all passed, 1 "
-            "a\nscenario failed, 2 something could not be run."};
+            "Without PATHS: the scenarios in tests/ and behaviors/ of the project, but not in behaviors/exercises/.\n"
+            "Exit status: 0 all passed, 1 a scenario failed, 2 something could not be run."};
 }
 
 }  // namespace nezumi::cli

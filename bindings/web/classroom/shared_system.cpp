@@ -11,6 +11,7 @@
 #include "bindings/web/classroom/exercises.hpp"
 #include "bindings/web/edited_files.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/project/folders.hpp"
 #include "engine/project/project.hpp"
 
 namespace nezumi::web {
@@ -41,8 +42,7 @@ Expected<void> SharedSystem::renew() const {
     std::error_code problem;
     fs::remove_all(folder, problem);
     if (auto ok = copy_files(root() / "behaviors", folder / "behaviors", true); !ok) return ok;
-    fs::remove_all(folder / "behaviors/exercises",
-                   problem);  // pupils must not see hidden scenarios
+    fs::remove_all(folder / exercises_folder, problem);  // pupils must not see hidden scenarios
     fs::create_directories(folder / ".nezumi", problem);
     if (problem) return failure("can't be made: " + problem.message(), {folder.string()});
     return {};

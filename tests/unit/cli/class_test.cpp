@@ -102,6 +102,18 @@ TEST_CASE("work that can't be checked is reported in the results", "[cli][class]
                     ": can't be copied: No such file or directory,") != std::string::npos);
 }
 
+TEST_CASE("scenarios of exercises, which fail until a pupil has solved them, run only where they are named",
+          "[cli][class]") {
+    const std::string root = source_root();
+    const Outcome all = run_nezumi({"test", "--list", "--project", root});
+    CHECK(all.status == 0);
+    CHECK(all.out.find("robot_controller_test.lua") != std::string::npos);
+    CHECK(all.out.find("exercises/") == std::string::npos);
+    CHECK(run_nezumi({"list", "scenarios"}, root).out.find("exercises/") == std::string::npos);
+    CHECK(run_nezumi({"test", "--list", "behaviors/exercises"}, root).out.find("exercises/part2_stop_at_wall/start/") !=
+          std::string::npos);
+}
+
 TEST_CASE("a class without a folder, or at a wrong address, is refused in one line", "[cli][class]") {
     const Scratch scratch;
     const std::string file = scratch.write("file", "").string();
