@@ -24,6 +24,7 @@
 
 #include "engine/base/descriptor.hpp"
 #include "engine/base/sanitizers.hpp"
+#include "engine/project/folders.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -189,7 +190,7 @@ std::vector<fs::path> readable_parts(const fs::path& program, const std::vector<
                                 "/usr/share/zoneinfo",
                                 program.parent_path(),
                                 program.parent_path().parent_path() / "lib"};
-    const auto add_all_in = [&](const fs::path& folder, const char* except) {
+    const auto add_all_in = [&](const fs::path& folder, const fs::path& except) {
         std::error_code none;
         for (fs::directory_iterator entry(folder, none), end; !none && entry != end; entry.increment(none)) {
             if (entry->path().filename() != except) parts.push_back(entry->path());
@@ -197,7 +198,8 @@ std::vector<fs::path> readable_parts(const fs::path& program, const std::vector<
     };
     add_all_in("/usr", "share");
     for (const fs::path& folder : installed) {
-        add_all_in(folder / "behaviors", "exercises");
+        const fs::path exercises = folder / exercises_folder;
+        add_all_in(exercises.parent_path(), exercises.filename());
         parts.push_back(folder / "engine/robots");
     }
     return parts;
