@@ -8,7 +8,7 @@ namespace nezumi {
 bool can_run(const std::string& /*program*/) { return false; }
 UnnamedFile::UnnamedFile(std::string_view /*text*/) : file_(-1) {}
 UnnamedFile::~UnnamedFile() = default;
-std::string UnnamedFile::text() const { return ""; }
+std::string UnnamedFile::text(std::size_t /*most*/) const { return ""; }
 Expected<ProgramEnd> run_program(const ProgramRun& /*run*/) {
     return failure("nezumi in a web page can't run other programs");
 }
