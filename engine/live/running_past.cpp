@@ -23,10 +23,10 @@ Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) 
     }
     if (file_.empty()) return failure("a system without a file can't go back in time");
     if (history_.is_cut()) {
-        return failure(
-            fmt::format("the past is not kept any more: the messages that were injected, written and held "
-                        "from outside need more than {} MB; a journal (--journal) has them",
-                        RunHistory::most_bytes >> 20));
+        return failure(fmt::format(
+            "the past is not kept any more: the messages and acts of this run need more than {} MB; a journal "
+            "(--journal) has them",
+            RunHistory::most_bytes >> 20));
     }
     history_.reach(when(), system().now().seconds);
     const auto branch = where.branch.empty() ? std::optional(history_.current()) : history_.find(where.branch);
@@ -153,8 +153,8 @@ const RunHistory& RunningSystem::history_until_now() {
 void RunningSystem::repeat(RunHistory past) {
     for (std::size_t index = 0; index < past.branches().front().size(); ++index) {
         const PastEvent& event = past.event(0, index);
-        if (const auto* call = std::get_if<PastCall>(&event.what))
-            foreseen_.push_back({event.when.start, event.when.tick, call->component, call->call});
+        if (const auto* call = std::get_if<std::shared_ptr<const PastCall>>(&event.what))
+            foreseen_.push_back({event.when.start, event.when.tick, (*call)->component, (*call)->call});
     }
     history_ = std::move(past);
 }

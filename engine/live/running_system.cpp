@@ -39,6 +39,7 @@ Expected<std::unique_ptr<RunningSystem>> RunningSystem::make(SystemSpec spec, Pr
     if (!running) return Unexpected(running.error());
     live->take(std::move(*running));
     live->history_.begin(files.take());
+    if (live->options_.build.real_time) live->history_.cut();  // real robots can't go back
     return live;
 }
 
@@ -158,7 +159,7 @@ void RunningSystem::tick() {
         // Nothing is repeated or recorded: ticks after the end differ from the original ticks after this moment.
     } else if (is_past()) {
         repeat_known(false);
-    } else if (running_->system->now().tick % ticks_between_hashes == 0) {
+    } else if (!history_.is_cut() && running_->system->now().tick % ticks_between_hashes == 0) {
         history_.add({when(), PastHash{trace_hash()}});
     }
     // The result is not checked: an emergency stop is never refused.
@@ -211,7 +212,7 @@ void RunningSystem::tell_out_of_time(const ActTime& time) {
         for (auto& call : component->take_out_of_time()) {
             if (repeats_ || history_.is_past(time)) continue;
             if (act_observer_ != nullptr) act_observer_->ran_out_of_time(time, component->name(), call);
-            history_.add({time, PastCall{component->name(), std::move(call)}});
+            history_.add({time, std::make_shared<const PastCall>(PastCall{component->name(), std::move(call)})});
         }
     }
 }

@@ -35,11 +35,23 @@ const PastAct* act_in(const PastEvent& event) {
     return act != nullptr ? act->get() : nullptr;
 }
 
-// Replaces an act that has a message by one without a message, so that the number of events stays.
-void drop_message(PastEvent& event) {
+std::size_t bytes_of(const PastEvent& event) {
+    std::size_t bytes = sizeof event;
+    if (const PastAct* const act = act_in(event)) {
+        bytes += sizeof *act;
+        if (const Value* const message = message_in(act->act)) bytes += heap_bytes(*message);
+        for (const auto& [path, seen] : act->files) bytes += seen.text ? seen.text->size() : 0;
+    }
+    return bytes;
+}
+
+// Only the kind of an act and its actor remain.
+void lighten(PastEvent& event) {
     const PastAct* const act = act_in(event);
-    if (act != nullptr && message_in(act->act) != nullptr)
-        event.what = std::make_shared<const PastAct>(PastAct{.act = Rearm{}, .who = act->who});
+    if (act == nullptr) return;
+    Act kind = std::visit([]<class T>(const T& /*its*/) -> Act { return T{}; }, act->act);
+    event.what =
+        std::make_shared<const PastAct>(PastAct{.act = std::move(kind), .who = act->who, .failed = act->failed});
 }
 
 }  // namespace
@@ -57,17 +69,25 @@ void RunHistory::add(PastEvent event) {
                              .left = event.when});
         current_ = branches_.size() - 1;
     }
-    if (const PastAct* const act = act_in(event); act != nullptr && !is_cut()) {
-        if (const Value* const message = message_in(act->act)) bytes_ += heap_bytes(*message);
-        if (is_cut()) {
-            for (Branch& each : branches_) std::for_each(each.own.begin(), each.own.end(), drop_message);
-        }
-    }
-    if (is_cut()) drop_message(event);
+    bytes_ += bytes_of(event);
+    if (is_cut_) lighten(event);
     Branch& branch = branches_[current_];
     branch.end = event.when;
     branch.own.push_back(std::move(event));
+    if (is_cut_ && branch.own.size() > most_latest) branch.own.pop_front();
+    if (!is_cut_ && bytes_ > most_bytes) cut();
     position_ = branch.size();
+}
+
+void RunHistory::cut() {
+    is_cut_ = true;
+    for (Branch& branch : branches_) {
+        branch.inherited = 0;
+        const auto surplus = branch.own.size() - std::min(branch.own.size(), most_latest);
+        branch.own.erase(branch.own.begin(), branch.own.begin() + static_cast<std::ptrdiff_t>(surplus));
+        branch.own.shrink_to_fit();
+        std::for_each(branch.own.begin(), branch.own.end(), lighten);
+    }
 }
 
 void RunHistory::reach(const ActTime& now, double seconds) {

@@ -53,7 +53,7 @@ struct PastHash {
 };
 struct PastEvent {
     ActTime when;
-    std::variant<std::shared_ptr<const PastAct>, PastCall, PastHash> what;
+    std::variant<std::shared_ptr<const PastAct>, std::shared_ptr<const PastCall>, PastHash> what;
 };
 
 class RunHistory {
@@ -73,17 +73,21 @@ public:
 
     /// Begins the history of a run that has read these files at its start.
     void begin(FilesSeen files);
+    /// For a run that can't go back: of the latest acts, only the kind and the actor remain, and nothing of the others.
+    void cut();
     /// The files that the run has read at its start.
     const FilesSeen& files() const { return files_; }
 
-    /// Memory for the messages that acts gave to ports [bytes]. The past can be computed only with all of them. If they
-    /// need more, none is kept, and the run can't go back any more. Only pictures need so much.
+    /// Memory for the events [bytes]: nearly all of it is for messages that come from outside. The past can be computed
+    /// only with all of them. If they need more, the history is cut, and the run can't go back any more.
     static constexpr std::size_t most_bytes = std::size_t{256} << 20;
+    /// The number of events that a branch of a history that was cut keeps.
+    static constexpr std::size_t most_latest = 1000;
 
     /// Adds an event of the present. If the present is a past moment whose future is known, a new branch starts here.
     void add(PastEvent event);
-    /// Whether messages were dropped, so that no past can be computed any more.
-    bool is_cut() const { return bytes_ > most_bytes; }
+    /// Whether events were dropped, so that no past can be computed any more.
+    bool is_cut() const { return is_cut_; }
     /// Sets how far the present has come.
     void reach(const ActTime& now, double seconds);
     /// Leaves the present for a moment of a branch at which its first `events` have happened.
@@ -114,7 +118,8 @@ private:
     std::vector<Branch> branches_{{.name = "main"}};
     std::size_t current_ = 0;
     std::size_t position_ = 0;  // number of events of the current branch that have happened
-    std::size_t bytes_ = 0;     // of messages
+    std::size_t bytes_ = 0;     // of all events
+    bool is_cut_ = false;
 };
 
 }  // namespace nezumi

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/values/walk.hpp"
 #include "tests/unit/lua/past_rig.hpp"
 
 using namespace nezumi;
@@ -313,19 +314,51 @@ TEST_CASE("random acts, seeks and branches lead to states that were there", "[lu
     }
 }
 
+// The number of events that the present branch has kept.
+std::size_t kept(const RunningSystem& live) { return live.history().branches().front().size(); }
+
 TEST_CASE("messages from outside are kept up to a limit; beyond it, the past is given up and says so", "[lua][past]") {
     PastRig it;
-    const Value picture(std::vector<short>(std::size_t{32} << 20));  // 64 MB
+    const Value picture(std::vector<short>(std::size_t{31} << 20));  // 62 MB
     for (int i = 0; i < 4; ++i) it.act(Inject{"keeper.in", picture});
     CHECK_FALSE(it.live->history().is_cut());
-    it.act(Inject{"keeper.in", Value(std::vector<short>(1))});
+    it.act(Inject{"keeper.in", picture});
     CHECK(it.live->history().is_cut());
     CHECK(it.seek(0) ==
-          "the past is not kept any more: the messages that were injected, written and held from outside need more "
-          "than 256 MB; a journal (--journal) has them");
-    for (std::size_t index = 0; index < it.live->history().branches().front().size(); ++index) {
+          "the past is not kept any more: the messages and acts of this run need more than 256 MB; a journal "
+          "(--journal) has them");
+    it.act(Inject{"keeper.in", picture});
+    CHECK(kept(*it.live) == 6);
+    for (std::size_t index = 0; index < 6; ++index) {
         const auto& event = it.live->history().event(0, index);
-        const auto* const act = std::get_if<std::shared_ptr<const PastAct>>(&event.what);
-        CHECK((act == nullptr || !std::holds_alternative<Inject>((*act)->act)));
+        const Act& act = std::get<std::shared_ptr<const PastAct>>(event.what)->act;
+        CHECK(is_equal(std::get<Inject>(act).value, Value()));  // the time line shows only what kind of act it was
     }
+}
+
+TEST_CASE("small messages from outside that never end need no more memory than large ones", "[lua][past]") {
+    RunHistory history;
+    const auto act = std::make_shared<const PastAct>(PastAct{Inject{"keeper.in", 1}, user});
+    std::size_t count = 0;
+    while (!history.is_cut()) {
+        history.add({ActTime{1, 0, static_cast<std::int64_t>(count)}, act});
+        REQUIRE(++count <= RunHistory::most_bytes / sizeof(PastAct));
+    }
+    history.add({ActTime{1, 0, static_cast<std::int64_t>(count)}, act});
+    CHECK(history.branches().front().size() == RunHistory::most_latest);
+    CHECK(history.position() == RunHistory::most_latest);
+}
+
+TEST_CASE("a run of real robots, which can't go back, keeps only its latest acts, without messages", "[lua][past]") {
+    LiveRig it(R"(behavior "keeper" { script = "busy" })", {{"busy", past_behavior}}, disk(), {.real_time = true});
+    for (std::size_t count = 0; count < RunHistory::most_latest + 100; ++count) {
+        REQUIRE(it.live->act(Inject{"keeper.in", std::vector<short>{1, 2, 3}}, user));
+        if (count % 100 == 0) it.tick();
+    }
+    CHECK(kept(*it.live) == RunHistory::most_latest);
+    const auto& event = it.live->history().event(0, 0);
+    CHECK(is_equal(std::get<Inject>(std::get<std::shared_ptr<const PastAct>>(event.what)->act).value, Value()));
+    const auto back = it.live->act(Seek{.tick = 0}, user);
+    REQUIRE_FALSE(back);
+    CHECK(describe(back.error()) == "real robots can't go back in time");
 }
