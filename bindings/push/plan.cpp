@@ -17,7 +17,7 @@ public:
 
     PushPlan operator()() {
         for (const auto& [name, brought] : pushed_) {
-            if (!project_.contains(name) && !brought.is_folder()) plan_removal(name, brought);
+            if (!project_.contains(name)) plan_removal(name, brought);
         }
         for (const auto& [name, wanted] : project_) {
             if (is_closed(name)) {
@@ -69,8 +69,11 @@ private:
     }
 
     void plan_removal(const std::string& name, const ListedFile& brought) {
-        if (const auto found = find(name))
-            note(have_same_content(*found, brought) ? What::removed : What::kept_removed, name);
+        const auto found = find(name);
+        if (!found) return;
+        const bool is_ours = have_same_content(*found, brought);
+        if (is_ours && brought.is_folder()) return;
+        note(is_ours ? What::removed : What::kept_removed, name);
     }
     void plan_folder(const std::string& name, const ListedFile& wanted) {
         const auto found = find(name);

@@ -33,8 +33,11 @@ struct RobotWithProject : TracedRobot {
     }
     void remove_here(const std::string& name) const { fs::remove_all(project() / name); }
     Changes push_changes() const {
+        const auto shown = push("robots", true).sent;
         const auto sent = push().sent;
+        REQUIRE(shown);
         REQUIRE(sent);
+        CHECK(sent->changes == shown->changes);
         return sent->changes;
     }
 };
@@ -108,7 +111,7 @@ TEST_CASE("a link or file in place of a folder on the robot is kept, and nothing
     robot.remove_here("lib/old.lua");
     CHECK(robot.push_changes() == Changes{{What::kept_edited, "lib"}});
     robot.remove_here("lib");
-    robot.push_changes();
+    CHECK(robot.push_changes() == Changes{{What::kept_removed, "lib"}});
     CHECK(tree_of(robot.home() / "elsewhere") == Files{{"old.lua", "first"}});
     CHECK(tree_of(robot.there()).at("lib") == "-> ../elsewhere");
 }
