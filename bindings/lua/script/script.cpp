@@ -74,6 +74,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
     lua_State* L = lua_->lua();
     const auto code = compile(source, ScriptKind::component);
     if (!code) return Unexpected(code.error());
+    read_in_place_ = code->in_place;
     auto installed = protect(L, context_.budget, [&](lua_State* inside) {
         install_globals(inside, *this);
         if (inheritance_.looks_at_tick == nullptr) set_state_global(inside, inheritance_.state);

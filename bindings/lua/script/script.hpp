@@ -66,9 +66,10 @@ struct PortDeclaration {
 struct PortSlot {
     Script* script = nullptr;
     const PortDeclaration* declaration = nullptr;
-    const void* object = nullptr;  ///< address of the Lua object, to check `self`
-    Port* port = nullptr;          ///< null while the file loads
-    bool live = false;             ///< scripts may read and write the port, because their version is the one that runs
+    const void* object = nullptr;   ///< address of the Lua object, to check `self`
+    Port* port = nullptr;           ///< null while the file loads
+    bool is_read_in_place = false;  ///< nothing has an array that was read when the next one is read
+    bool live = false;              ///< scripts may read and write the port, because their version is the one that runs
 };
 
 /// `about { ... }`.
@@ -249,6 +250,7 @@ private:
     Coverage* coverage_ = nullptr;
     std::list<PortDeclaration> ports_;
     std::list<PortSlot> slots_;
+    std::vector<std::string> read_in_place_;  // names of in-ports, while the file loads
     std::vector<CommandDeclaration> commands_;
     std::vector<int> command_functions_;  // registry references, in the order of `commands_`
     ScriptAbout about_;

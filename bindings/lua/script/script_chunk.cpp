@@ -8,6 +8,7 @@
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/syntax/globals.hpp"
+#include "bindings/lua/syntax/port_reads.hpp"
 #include "engine/base/list.hpp"
 
 namespace nezumi {
@@ -82,7 +83,7 @@ tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& so
         });
     }
     if (!errors.empty()) return tl::unexpected(std::move(errors));
-    return ScriptCode{std::move(*chunk), parameter_uses(tree)};
+    return ScriptCode{std::move(*chunk), parameter_uses(tree), ports_read_in_place(tree)};
 }
 
 Expected<ScriptCode> ChunkCache::compile(const SourceText& source, ScriptKind kind) {

@@ -27,6 +27,7 @@ struct ParameterUse {
 struct ScriptCode {
     Chunk chunk;
     std::vector<ParameterUse> parameters;  ///< in order of location
+    std::vector<std::string> in_place;     ///< the ports that `ports_read_in_place` finds
     Coverage::Source* covered = nullptr;   ///< gets the marks that the main function sets; null: the code has none
 };
 

@@ -7,6 +7,7 @@
 
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
+#include "bindings/lua/sandbox/watchdog.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "bindings/lua/values/plain_data.hpp"
@@ -63,6 +64,30 @@ void reserve_stack(lua_State* L) {
     if constexpr (codec_stack_of<T> + most_arguments > LUA_MINSTACK) luaL_checkstack(L, codec_stack_of<T>, nullptr);
 }
 
+// Pushes an array in the table that the port gave before, of which nothing is used any more, or in a new one. A
+// coroutine may wait while it uses an array, so it always gets a new one.
+template <Sequence T>
+void push_array(lua_State* L, const PortSlot& slot, const InPort<T>& port, const T& value) {
+    constexpr int table_index = lua_upvalueindex(3);
+    const bool in_place = slot.is_read_in_place && L == current_call->base && port.queue() == 0;
+    if (in_place && lua_type(L, table_index) == LUA_TTABLE) {
+        lua_pushvalue(L, table_index);
+        const std::size_t before = lua_rawlen(L, -1);
+        set_elements(L, value);
+        for (std::size_t i = value.size(); i < before; ++i) {
+            lua_pushnil(L);
+            lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+        }
+        return;
+    }
+    push_value(L, value);
+    lua_pushvalue(L, lua_upvalueindex(2));
+    lua_setmetatable(L, -2);
+    if (!in_place) return;
+    lua_pushvalue(L, -1);
+    lua_replace(L, table_index);
+}
+
 template <Held T>
 int port_read(lua_State* L) {
     PortSlot& slot = slot_of(L);
@@ -75,12 +100,10 @@ int port_read(lua_State* L) {
     const T& value = slot.live ? port.read() : port.latest().data;
     if constexpr (std::is_same_v<T, Value>) {
         push_payload(L, value);
+    } else if constexpr (Sequence<T>) {
+        push_array(L, slot, port, value);
     } else {
         push_value(L, value);
-    }
-    if constexpr (Sequence<T>) {
-        lua_pushvalue(L, lua_upvalueindex(2));
-        lua_setmetatable(L, -2);
     }
     return 1;
 }
@@ -260,7 +283,8 @@ void push_port_object(lua_State* L, PortSlot& slot) {
         lua_createtable(L, 0, 2);  // the metatable of received sequences
         set_closure(L, slot, "__index", missing_element);
         hide_metatable(L);
-        lua_pushcclosure(L, functions.read, 2);
+        lua_pushnil(L);  // the table of arrays that are read in place
+        lua_pushcclosure(L, functions.read, 3);
         lua_setfield(L, -2, "read");
     } else {
         set_closure(L, slot, in ? "read" : "write", in ? functions.read : functions.write);

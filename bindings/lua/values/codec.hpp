@@ -110,6 +110,19 @@ std::string_view key_text(lua_State* L);
 }  // namespace detail
 
 template <class T>
+void push_value(lua_State* L, const T& value);
+
+/// Sets the elements of the table on the stack from 1 on.
+template <class T>
+requires Sequence<T>
+void set_elements(lua_State* L, const T& value) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        push_value<typename T::value_type>(L, value[i]);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+    }
+}
+
+template <class T>
 void push_value(lua_State* L, const T& value) {
     if constexpr (Described<T>) {
         lua_createtable(L, 0, static_cast<int>(Describe<T>::fields.count));
@@ -120,10 +133,7 @@ void push_value(lua_State* L, const T& value) {
         });
     } else if constexpr (Sequence<T>) {
         lua_createtable(L, static_cast<int>(value.size()), 0);
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            push_value<typename T::value_type>(L, value[i]);
-            lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-        }
+        set_elements(L, value);
     } else if constexpr (std::is_same_v<T, bool>) {
         lua_pushboolean(L, value ? 1 : 0);
     } else if constexpr (std::is_integral_v<T>) {
