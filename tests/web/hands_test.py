@@ -170,7 +170,7 @@ class Driving(rig.PageCase):
         other.until("document.querySelector('.who').classList.contains('other')", "the other browser says who drives")
         self.assertRegex(other.text(".who"), r"^browser \d+ drives\.$")
         other.press("Take over")
-        page.until("[...document.querySelectorAll('.notice')].some((each) => each.textContent.includes('another user drives it'))",
+        page.until("[...document.querySelectorAll('.notice')].some((each) => each.textContent.includes('another user drives this port'))",
                    "who drove is told")
         self.assertEqual(page.js("return document.querySelector('.pad .knob').getAttribute('transform')"), "translate(0 0)")
         self.release("\ue013")
