@@ -44,7 +44,7 @@ is(added('robot "mouse" { model = "raspimouse" }', "wall", "wall { }"), 'robot "
 const computed = "local x = 1\narena { box { at = { x, 0 }, size = { 0.1, 0.1, 0.1 } } }\n";
 fails(() => moved(computed, first(computed, "box"), by(1, 0)), "'at' is computed");
 fails(() => call_of("for i = 1, 3 do things[i] = box { at = { i, 0 } } end\n", ["box"], 1, 0, 3), "makes several things");
-fails(() => call_of("arena { maze {} }\n", ["box", "wall"], 1, 0, 12), "made by a map or a function");
+fails(() => call_of("arena { maze {} }\n", ["box", "wall"], 1, 0, 12), "a map or a function makes this thing");
 const turned = "arena { marker { id = 1, at = { 1, 2, 0.1 }, facing = 3.0 } }";
 is(moved(turned, first(turned, "marker"), by(0, 0, -1)), turned.replace("3.0", "2"));
 is(moved(turned, first(turned, "marker"), by(-2, 0.5)), turned.replace("{ 1, 2, 0.1 }", "{ -1, 2.5, 0.1 }"));

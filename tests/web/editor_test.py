@@ -151,7 +151,7 @@ class Writing(EditorCase):
     def test_a_new_file_is_made_within_the_project_only(self):
         system = self.begin()
         page = self.page
-        for name, why in (("../outside.lua", "is not within the project"), ("/tmp/x.lua", "is not within the project"),
+        for name, why in (("../outside.lua", "is not a file name in the project"), ("/tmp/x.lua", "is not a file name in the project"),
                           ("behaviors/x.sh", "can't be edited here"), ("behaviors/guide.lua", "it was changed meanwhile")):
             page.press("New…")
             page.answer("Make", name)

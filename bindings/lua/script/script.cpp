@@ -63,29 +63,29 @@ Error Script::to_error(const CallError& error) const {
     return plain;
 }
 
-Expected<ScriptCode> Script::compile(const SourceText& source, ScriptKind kind) const {
+Expected<std::shared_ptr<const ScriptCode>> Script::compile(const SourceText& source, ScriptKind kind) const {
     if (context_.chunks != nullptr) return context_.chunks->compile(source, kind);
     auto code = compile_script(source, kind);
     if (!code) return Unexpected(code.error().front());
-    return std::move(*code);
+    return std::make_shared<const ScriptCode>(std::move(*code));
 }
 
 Expected<void> Script::run_top_level(const SourceText& source) {
     lua_State* L = lua_->lua();
-    const auto code = compile(source, ScriptKind::component);
-    if (!code) return Unexpected(code.error());
-    read_in_place_ = code->in_place;
+    auto compiled = compile(source, ScriptKind::component);
+    if (!compiled) return Unexpected(compiled.error());
+    code_ = std::move(*compiled);
     auto installed = protect(L, context_.budget, [&](lua_State* inside) {
         install_globals(inside, *this);
         if (inheritance_.looks_at_tick == nullptr) set_state_global(inside, inheritance_.state);
         return 0;
     });
     if (!installed) return Unexpected(to_error(installed.error()));
-    if (auto loaded = load_chunk(L, code->chunk); !loaded) return Unexpected(to_error(loaded.error()));
+    if (auto loaded = load_chunk(L, code_->chunk); !loaded) return Unexpected(to_error(loaded.error()));
     int arguments = 0;
-    if (code->covered != nullptr) {
-        const auto pushed = protect(L, context_.budget, [&code](lua_State* inside) {
-            Coverage::push_marks(inside, *code->covered);
+    if (code_->covered != nullptr) {
+        const auto pushed = protect(L, context_.budget, [this](lua_State* inside) {
+            Coverage::push_marks(inside, *code_->covered);
             return 1;
         });
         if (!pushed) return Unexpected(to_error(pushed.error()));
@@ -102,7 +102,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
         std::all_of(hooks_.begin(), hooks_.end(), [](int function) { return function == LUA_NOREF; })) {
         return failure("the file declares nothing: no port, parameter, command, task or callback", {file_.shown});
     }
-    if (auto ok = check_parameters(code->parameters); !ok) return ok;
+    if (auto ok = check_parameters(code_->parameters); !ok) return ok;
     lua_gc(L, LUA_GCCOLLECT);  // collects the garbage of loading; this runs no code of the script
     seen_parameters_ = parameters_.version();
     phase_ = Phase::bound;
@@ -176,8 +176,8 @@ Expected<const MessageType*> Script::find_message(std::string_view name) {
 }
 
 int Script::push_module_marks(lua_State* lua) const {
-    if (module_.covered == nullptr) return 0;
-    Coverage::push_marks(lua, *module_.covered);
+    if (module_->covered == nullptr) return 0;
+    Coverage::push_marks(lua, *module_->covered);
     return 1;
 }
 

@@ -62,6 +62,12 @@ struct PortDeclaration {
     }
 };
 
+/// A method of a port object for a `FieldWrite` of the file.
+struct FieldWriter {
+    const FieldWrite* write = nullptr;
+    std::vector<const Type::Field*> fields{};  ///< of its arguments; none if the port's type has not all of the names
+};
+
 /// The port of a port object in Lua. The object stores the address of this slot.
 struct PortSlot {
     Script* script = nullptr;
@@ -69,7 +75,8 @@ struct PortSlot {
     const void* object = nullptr;   ///< address of the Lua object, to check `self`
     Port* port = nullptr;           ///< null while the file loads
     bool is_read_in_place = false;  ///< nothing has an array that was read when the next one is read
-    bool live = false;              ///< scripts may read and write the port, because their version is the one that runs
+    std::vector<FieldWriter> writers{};
+    bool live = false;  ///< scripts may read and write the port, because their version is the one that runs
 };
 
 /// `about { ... }`.
@@ -100,6 +107,7 @@ public:
 
     /// The file without its text.
     const ScriptFile& file() const { return file_; }
+    const ScriptCode& code() const { return *code_; }
     const ScriptContext& context() const { return context_; }
     /// The text of the file or module that has this name in messages; "" if the text is no longer known.
     std::string text_of(std::string_view shown) const;
@@ -212,7 +220,7 @@ public:
     /// code fails.
     Expected<void> begin_module(std::string_view name);
     void end_module();
-    const Chunk& module_chunk() const { return module_.chunk; }
+    const Chunk& module_chunk() const { return module_->chunk; }
     /// Pushes the argument of `module_chunk`, if it has one. Returns the number of arguments.
     int push_module_marks(lua_State* lua) const;
 
@@ -233,7 +241,7 @@ private:
     static int call_with_tasks(lua_State* L);
     /// Discards the written values of out-ports that have a safe value.
     void discard_unsafe();
-    Expected<ScriptCode> compile(const SourceText& source, ScriptKind kind) const;
+    Expected<std::shared_ptr<const ScriptCode>> compile(const SourceText& source, ScriptKind kind) const;
     // Checks that all parameters which the file reads are declared; otherwise the line would fail when it runs.
     Expected<void> check_parameters(const std::vector<ParameterUse>& uses) const;
     Error to_error(const CallError& error) const;
@@ -246,11 +254,11 @@ private:
     std::vector<ScriptFile> modules_;
     std::vector<LoadingModule> loading_modules_;
     std::optional<Error> module_error_;
-    ScriptCode module_;  // the module that loads
+    std::shared_ptr<const ScriptCode> code_;
+    std::shared_ptr<const ScriptCode> module_;  // the module that loads
     Coverage* coverage_ = nullptr;
     std::list<PortDeclaration> ports_;
     std::list<PortSlot> slots_;
-    std::vector<std::string> read_in_place_;  // names of in-ports, while the file loads
     std::vector<CommandDeclaration> commands_;
     std::vector<int> command_functions_;  // registry references, in the order of `commands_`
     ScriptAbout about_;

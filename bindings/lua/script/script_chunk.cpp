@@ -83,18 +83,30 @@ tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& so
         });
     }
     if (!errors.empty()) return tl::unexpected(std::move(errors));
-    return ScriptCode{std::move(*chunk), parameter_uses(tree), ports_read_in_place(tree)};
+    ScriptCode code{std::move(*chunk), parameter_uses(tree), {}, {}};
+    if (kind == ScriptKind::component) {
+        code.in_place = ports_read_in_place(tree);
+        FieldWrites fields = with_field_writes(tree);
+        // A large text may exceed a limit of Lua when it is written so. Then it stays as it is.
+        if (!fields.writes.empty()) {
+            if (auto flat = compile(fields.text, source.shown)) {
+                code.chunk = std::move(*flat);
+                code.writes = std::move(fields.writes);
+            }
+        }
+    }
+    return code;
 }
 
-Expected<ScriptCode> ChunkCache::compile(const SourceText& source, ScriptKind kind) {
+Expected<std::shared_ptr<const ScriptCode>> ChunkCache::compile(const SourceText& source, ScriptKind kind) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entries_[source.path + '\n' + source.shown + (kind == ScriptKind::module ? "\nmodule" : "\n")];
-    if (!entry.code.chunk.bytecode.empty() && entry.text == source.text) return entry.code;
+    if (entry.code != nullptr && entry.text == source.text) return entry.code;
     auto code = compile_script(source, kind);
     if (!code) return Unexpected(code.error().front());
     if (coverage_ != nullptr) code->covered = coverage_->mark(source, code->chunk);
-    entry = {source.text, *code};
-    return std::move(*code);
+    entry = {source.text, std::make_shared<const ScriptCode>(std::move(*code))};
+    return entry.code;
 }
 
 void ChunkCache::take(ChunkCache& other) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/coverage.hpp"
+#include "bindings/lua/syntax/field_writes.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/mutex.hpp"
 #include "engine/project/script_source.hpp"
@@ -28,6 +30,7 @@ struct ScriptCode {
     Chunk chunk;
     std::vector<ParameterUse> parameters;  ///< in order of location
     std::vector<std::string> in_place;     ///< the ports that `ports_read_in_place` finds
+    std::vector<FieldWrite> writes;        ///< the calls that write fields without a table
     Coverage::Source* covered = nullptr;   ///< gets the marks that the main function sets; null: the code has none
 };
 
@@ -42,7 +45,7 @@ public:
     Coverage* coverage() const { return coverage_; }
 
     /// The code of this text, or its first mistake.
-    Expected<ScriptCode> compile(const SourceText& source, ScriptKind kind);
+    Expected<std::shared_ptr<const ScriptCode>> compile(const SourceText& source, ScriptKind kind);
     /// Takes over all code of another cache.
     void take(ChunkCache& other);
     /// The text of this version of a file; "" if the cache has only another version, or none.
@@ -51,7 +54,7 @@ public:
 private:
     struct Entry {
         std::string text;
-        ScriptCode code;
+        std::shared_ptr<const ScriptCode> code;
     };
 
     Coverage* const coverage_;

@@ -72,7 +72,7 @@ Expected<PortSlot*> Script::declare_port(PortDeclaration declaration) {
     ports_.push_back(std::move(declaration));
     slots_.push_back({.script = this,
                       .declaration = &ports_.back(),
-                      .is_read_in_place = contains(read_in_place_, ports_.back().name)});
+                      .is_read_in_place = contains(code_->in_place, ports_.back().name)});
     return &slots_.back();
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "bindings/lua/sandbox/locked_table.hpp"
@@ -64,25 +65,29 @@ void reserve_stack(lua_State* L) {
     if constexpr (codec_stack_of<T> + most_arguments > LUA_MINSTACK) luaL_checkstack(L, codec_stack_of<T>, nullptr);
 }
 
-// Pushes an array in the table that the port gave before, of which nothing is used any more, or in a new one. A
-// coroutine may wait while it uses an array, so it always gets a new one.
-template <Sequence T>
-void push_array(lua_State* L, const PortSlot& slot, const InPort<T>& port, const T& value) {
-    constexpr int table_index = lua_upvalueindex(3);
+// Pushes a message in the table that the port gave before, of which nothing is used any more, or in a new one. A
+// coroutine may wait while it uses a message, so it always gets a new one.
+template <class T>
+void push_table(lua_State* L, const PortSlot& slot, const InPort<T>& port, const T& value) {
+    constexpr int metatable_index = lua_upvalueindex(2), table_index = lua_upvalueindex(3);
     const bool in_place = slot.is_read_in_place && L == current_call->base && port.queue() == 0;
     if (in_place && lua_type(L, table_index) == LUA_TTABLE) {
         lua_pushvalue(L, table_index);
         const std::size_t before = lua_rawlen(L, -1);
-        set_elements(L, value);
-        for (std::size_t i = value.size(); i < before; ++i) {
-            lua_pushnil(L);
-            lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+        fill_table(L, value);
+        if constexpr (Sequence<T>) {
+            for (std::size_t i = value.size(); i < before; ++i) {
+                lua_pushnil(L);
+                lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+            }
         }
         return;
     }
     push_value(L, value);
-    lua_pushvalue(L, lua_upvalueindex(2));
-    lua_setmetatable(L, -2);
+    if constexpr (Sequence<T>) {
+        lua_pushvalue(L, metatable_index);
+        lua_setmetatable(L, -2);
+    }
     if (!in_place) return;
     lua_pushvalue(L, -1);
     lua_replace(L, table_index);
@@ -100,8 +105,8 @@ int port_read(lua_State* L) {
     const T& value = slot.live ? port.read() : port.latest().data;
     if constexpr (std::is_same_v<T, Value>) {
         push_payload(L, value);
-    } else if constexpr (Sequence<T>) {
-        push_array(L, slot, port, value);
+    } else if constexpr (Sequence<T> || Described<T>) {
+        push_table(L, slot, port, value);
     } else {
         push_value(L, value);
     }
@@ -132,29 +137,21 @@ void explain_write(lua_State* L, const PortSlot& slot) {
         keep_error(L, fmt::format("{} ({}): {}", title(slot), slot.declaration->type->name, value.error().message));
 }
 
-template <Held T>
-int port_write(lua_State* L) {
-    PortSlot& slot = slot_of(L);
-    if (lua_touserdata(L, 1) != slot.object) return refuse_self(L, slot, "write");
-    if (lua_gettop(L) > 2) return refuse_surplus(L, slot, "write", 1, "(value)");
+// Writes what `read(T&)` reads from the arguments. If it returns false, the wrong value is at index 2.
+template <Held T, class Read>
+int write_message(lua_State* L, const PortSlot& slot, const Read& read) {
     if (slot.port == nullptr) return refuse_while_loading(L, slot, "written");
     if (!slot.live || slot.script->owner()->state() != LifeState::active) {
         keep_error(L, refuse_write(slot));
         if (!LuaState::of(L).kept_error.empty()) return raise_kept(L);
     }
-    lua_settop(L, 2);
     reserve_stack<T>(L);
     auto& port = *static_cast<OutPort<T>*>(slot.port);
     const std::size_t before = port.pending();
     T& value = port.next_pending();
-    bool fits = false;
+    const bool fits = read(value);
     std::size_t bytes = sizeof(Message<T>);
-    if constexpr (std::is_same_v<T, Value>) {
-        fits = read_described(L, 2, value);
-        bytes += value.type().size;
-    } else {
-        fits = read_value(L, 2, value);
-    }
+    if constexpr (std::is_same_v<T, Value>) bytes += value.type().size;
     if constexpr (!std::is_trivially_copyable_v<T>) bytes += heap_bytes(value);
     if (fits && slot.script->may_write(bytes)) return 0;
     port.discard_after(before);
@@ -165,6 +162,65 @@ int port_write(lua_State* L) {
         explain_write(L, slot);
     }
     return raise_kept(L);
+}
+
+template <Held T>
+int port_write(lua_State* L) {
+    const PortSlot& slot = slot_of(L);
+    if (lua_touserdata(L, 1) != slot.object) return refuse_self(L, slot, "write");
+    if (lua_gettop(L) > 2) return refuse_surplus(L, slot, "write", 1, "(value)");
+    lua_settop(L, 2);
+    return write_message<T>(L, slot, [L](T& value) {
+        if constexpr (std::is_same_v<T, Value>) {
+            return read_described(L, 2, value);
+        } else {
+            return read_value(L, 2, value);
+        }
+    });
+}
+
+// Replaces the arguments of a method that writes fields by the table that the text has.
+void collect_fields(lua_State* L, const FieldWrite& write) {
+    const auto count = static_cast<int>(write.fields.size());
+    luaL_checkstack(L, 3, nullptr);
+    lua_settop(L, 1 + count);
+    lua_createtable(L, 0, count);
+    for (int i = 0; i < count; ++i) {
+        const std::string& name = write.fields[static_cast<std::size_t>(i)];
+        lua_pushlstring(L, name.data(), name.size());
+        lua_pushvalue(L, 2 + i);
+        lua_rawset(L, -3);
+    }
+    lua_replace(L, 2);
+    lua_settop(L, 2);
+}
+
+template <Held T>
+int port_write_fields(lua_State* L) {
+    const auto& writer = *static_cast<const FieldWriter*>(lua_touserdata(L, lua_upvalueindex(2)));
+    const PortSlot& slot = slot_of(L);
+    if (writer.fields.empty()) {
+        collect_fields(L, *writer.write);
+        return port_write<T>(L);
+    }
+    if (lua_touserdata(L, 1) != slot.object) return refuse_self(L, slot, "write");
+    return write_message<T>(L, slot, [&](T& value) {
+        const bool fits = read_fields(L, 2, writer.fields, value);
+        if (!fits) collect_fields(L, *writer.write);
+        return fits;
+    });
+}
+
+// The fields of a type with these names; none if one of them is missing.
+std::vector<const Type::Field*> fields_of(const Type& type, const std::vector<std::string>& names) {
+    std::vector<const Type::Field*> fields;
+    for (const std::string& name : names) {
+        const auto found = std::find_if(type.fields.begin(), type.fields.end(),
+                                        [&](const Type::Field& field) { return field.name == name; });
+        if (found == type.fields.end()) return {};
+        fields.push_back(&*found);
+    }
+    return fields;
 }
 
 // The time stamp of the value that `read` returns. With a queue, the stamp of the message that was read last; if none
@@ -178,13 +234,15 @@ double stamp(const InPortBase& port) {
 struct PortFunctions {
     lua_CFunction read;
     lua_CFunction write;
+    lua_CFunction write_fields;
     double (*stamp)(const InPortBase&);
     bool sequence;
 };
 
 const PortFunctions& functions_of(const MessageType& type) {
     return *with_payload_type(type, []<class T>() {
-        static constexpr PortFunctions functions{port_read<T>, port_write<T>, stamp<T>, Sequence<T>};
+        static constexpr PortFunctions functions{port_read<T>, port_write<T>, port_write_fields<T>, stamp<T>,
+                                                 Sequence<T>};
         return &functions;
     });
 }
@@ -264,6 +322,22 @@ void set_closure(lua_State* L, PortSlot& slot, const char* name, lua_CFunction f
     lua_setfield(L, -2, name);
 }
 
+// Sets the methods that write certain fields, for the calls in the file.
+void set_field_writers(lua_State* L, PortSlot& slot) {
+    const std::vector<FieldWrite>& writes = slot.script->code().writes;
+    const PortFunctions& functions = functions_of(*slot.declaration->type);
+    for (const FieldWrite& write : writes) {
+        if (write.port == slot.declaration->name)
+            slot.writers.push_back({&write, fields_of(*slot.declaration->type->payload, write.fields)});
+    }
+    for (FieldWriter& writer : slot.writers) {
+        lua_pushlightuserdata(L, &slot);
+        lua_pushlightuserdata(L, &writer);
+        lua_pushcclosure(L, functions.write_fields, 2);
+        lua_setfield(L, -2, method_of_field_write(static_cast<std::size_t>(writer.write - writes.data()) + 1).c_str());
+    }
+}
+
 }  // namespace
 
 std::string port_title(const PortDeclaration& declaration) {
@@ -278,16 +352,21 @@ void push_port_object(lua_State* L, PortSlot& slot) {
 
     lua_createtable(L, 0, 6);  // the metatable
     lua_createtable(L, 0, 1);  // the methods
-    if (in && functions.sequence) {
+    if (in) {
         lua_pushlightuserdata(L, &slot);
-        lua_createtable(L, 0, 2);  // the metatable of received sequences
-        set_closure(L, slot, "__index", missing_element);
-        hide_metatable(L);
-        lua_pushnil(L);  // the table of arrays that are read in place
+        lua_pushnil(L);
+        if (functions.sequence) {
+            lua_createtable(L, 0, 2);  // the metatable of received sequences
+            set_closure(L, slot, "__index", missing_element);
+            hide_metatable(L);
+            lua_replace(L, -2);
+        }
+        lua_pushnil(L);  // the table of messages that are read in place
         lua_pushcclosure(L, functions.read, 3);
         lua_setfield(L, -2, "read");
     } else {
-        set_closure(L, slot, in ? "read" : "write", in ? functions.read : functions.write);
+        set_closure(L, slot, "write", functions.write);
+        set_field_writers(L, slot);
     }
     lua_createtable(L, 0, 1);
     set_closure(L, slot, "__index", port_index);

@@ -26,12 +26,12 @@ bool is_unpacking(const SyntaxNode& called) {
     return called.is(Kind::member) && called.child->is_global("table") && called.word_text() == "unpack";
 }
 
-// Whether an expression takes elements of `value`, a message, or its length, and drops it. `ipairs(value)` returns the
-// message, so only a loop drops it.
+// Whether an expression takes elements or fields of `value`, a message, or its length, and drops it. `ipairs(value)`
+// returns the message, so only a loop drops it.
 bool is_dropped(const SyntaxNode& value) {
     const SyntaxNode& whole = with_parentheses(value);
     const SyntaxNode& parent = *whole.parent;
-    if (parent.is(Kind::subscript)) return parent.child == &whole && !is_assigned(parent);
+    if (parent.is(Kind::subscript) || parent.is(Kind::member)) return parent.child == &whole && !is_assigned(parent);
     if (parent.is(Kind::unary)) return parent.word_text() == "#";
     if (!parent.is(Kind::expressions) || !parent.parent->is(Kind::call) || parent.child != &whole) return false;
     const SyntaxNode& call = *parent.parent;

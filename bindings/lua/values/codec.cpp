@@ -372,4 +372,18 @@ std::string_view key_text(lua_State* L) {
 }
 
 }  // namespace detail
+
+bool read_fields(lua_State* L, int first, std::span<const Type::Field* const> fields, const ValuePlace& out) {
+    out.reset();
+    for (const Type::Field* const field : fields) {
+        const int index = first++;
+        const ValuePlace place = out.field(*field);
+        if (lua_isnil(L, index)) continue;
+        if (!detail::read_any(L, index, place, nullptr, field->numbers) ||
+            !detail::keeps_limits(*field, place, nullptr))
+            return false;
+    }
+    return true;
+}
+
 }  // namespace nezumi

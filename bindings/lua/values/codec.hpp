@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <lua.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -59,6 +60,9 @@ Expected<Value> read_payload(lua_State* L, int index, const MessageType* type);
 /// Reads the value at `index` (absolute) into the payload of a message type from a file, in one pass. Returns false if
 /// it does not fit; then `read_payload` gives the error, and `out` is invalid.
 bool read_described(lua_State* L, int index, const ValuePlace& out);
+/// Reads the values from `first` on into these fields of a structure; nil leaves out a field. The fields that are left
+/// out get their default. Returns false if a value does not fit; then `out` is invalid.
+bool read_fields(lua_State* L, int first, std::span<const Type::Field* const> fields, const ValuePlace& out);
 
 /// The boolean, number or text at `index`; nothing for any other value.
 Value read_single(lua_State* L, int index);
@@ -112,13 +116,20 @@ std::string_view key_text(lua_State* L);
 template <class T>
 void push_value(lua_State* L, const T& value);
 
-/// Sets the elements of the table on the stack from 1 on.
+/// Sets the fields or elements of the table on top of the stack.
 template <class T>
-requires Sequence<T>
-void set_elements(lua_State* L, const T& value) {
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        push_value<typename T::value_type>(L, value[i]);
-        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+void fill_table(lua_State* L, const T& value) {
+    if constexpr (Described<T>) {
+        for_each_field(value, [L](const auto& field, const auto& member) {
+            lua_pushlstring(L, field.name.data(), field.name.size());
+            push_value(L, member);
+            lua_rawset(L, -3);
+        });
+    } else {
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            push_value<typename T::value_type>(L, value[i]);
+            lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+        }
     }
 }
 
@@ -126,14 +137,10 @@ template <class T>
 void push_value(lua_State* L, const T& value) {
     if constexpr (Described<T>) {
         lua_createtable(L, 0, static_cast<int>(Describe<T>::fields.count));
-        for_each_field(value, [L](const auto& field, const auto& member) {
-            lua_pushlstring(L, field.name.data(), field.name.size());
-            push_value(L, member);
-            lua_rawset(L, -3);
-        });
+        fill_table(L, value);
     } else if constexpr (Sequence<T>) {
         lua_createtable(L, static_cast<int>(value.size()), 0);
-        set_elements(L, value);
+        fill_table(L, value);
     } else if constexpr (std::is_same_v<T, bool>) {
         lua_pushboolean(L, value ? 1 : 0);
     } else if constexpr (std::is_integral_v<T>) {

@@ -19,11 +19,12 @@ bool is_in_place(const std::string& body, const std::string& declaration = "loca
 
 }  // namespace
 
-TEST_CASE("a message is used in place if only its elements and its length are taken", "[lua][port]") {
+TEST_CASE("a message is used in place if only its elements, fields and length are taken", "[lua][port]") {
     CHECK(is_in_place("if p:read()[1] > 3 and #p:read() > 2 then end"));
     CHECK(is_in_place("for i, x in ipairs(p:read()) do log.info(x) end"));
     CHECK(is_in_place("local a, b = table.unpack(p:read(), 1, 2)"));
     CHECK(is_in_place("local r = p:read() for _, x in ipairs(r) do f(x, r[1], #r, p.is_new) end"));
+    CHECK(is_in_place("local r = p:read() f(r.x, r.position.y, p:read().heading)"));
     CHECK(is_in_place("local n, r = 3, (p:read()) return r[n], (r)[1]"));
     CHECK(is_in_place("local r = p:read()"));
     CHECK(is_in_place("f(p:read()[1])", "local a, p <const> = output('o', 'TimedLong'), input('p', 'TimedShortSeq')"));
@@ -38,6 +39,9 @@ TEST_CASE("a message that may be used later is not in place", "[lua][port]") {
     CHECK_FALSE(is_in_place("for i, x in pairs(p:read()) do end"));
     CHECK_FALSE(is_in_place("local ipairs = f for i, x in ipairs(p:read()) do end"));
     CHECK_FALSE(is_in_place("local r = p:read() r[1] = 0"));
+    CHECK_FALSE(is_in_place("local r = p:read() r.x = 0"));
+    CHECK_FALSE(is_in_place("local r = p:read() function r.f() end"));
+    CHECK_FALSE(is_in_place("local r = p:read() r:f()"));
     CHECK_FALSE(is_in_place("local r = p:read() r[1], r = 0, 0"));
     CHECK_FALSE(is_in_place("local r = p:read() local s = r return s"));
     CHECK_FALSE(is_in_place("local r = p:read() return r == last"));
@@ -88,6 +92,25 @@ TEST_CASE("an array that is read in place has the elements of each message, and 
     const std::size_t before = sums.component->script().memory();
     sums.tick(5);
     CHECK(sums.component->script().memory() == before);
+}
+
+TEST_CASE("a structure that is read in place has the fields of each message", "[lua][port]") {
+    ScriptRig rig(
+        "local p = input('p', 'TimedPose2D')\n"
+        "local out = output('out', 'TimedString')\n"
+        "local first\n"
+        "function on_execute()\n"
+        "  local r = p:read()\n"
+        "  first = first or r.position\n"
+        "  out:write(('%g %g %g'):format(r.position.x, r.heading, first.x))\n"
+        "end");
+    rig.activate();
+    rig.feed<Pose2D>("p", {{1, 2}, 3});
+    rig.tick();
+    CHECK(rig.out<std::string>("out").read() == "1 3 1");
+    rig.feed<Pose2D>("p", {{4, 5}, 6});
+    rig.tick();
+    CHECK(rig.out<std::string>("out").read() == "4 6 1");
 }
 
 TEST_CASE("a coroutine keeps the array that it has read while it waits", "[lua][port]") {
