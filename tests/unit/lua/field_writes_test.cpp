@@ -62,7 +62,7 @@ TEST_CASE("fields that are written without a table have the same values and the 
     CHECK(written("out:write { vx = 7, vy = 7, va = 7 } out:write { va = two() }") == "0.000000 0.000000 1.000000");
     CHECK(written("out:write { vx = nil, va = 2 }") == "0.000000 0.000000 2.000000");
     const auto same = [](const std::string& fields) {
-        const std::string error = written("out:write { " + fields + " }");
+        std::string error = written("out:write { " + fields + " }");
         CHECK(error == written("local v = { " + fields + " } out:write(v)"));
         return error;
     };
