@@ -7,6 +7,7 @@
 
 #include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/sandbox/text.hpp"
+#include "bindings/lua/syntax/array_loops.hpp"
 
 namespace nezumi {
 namespace {
@@ -35,7 +36,7 @@ Value value_of(lua_State* lua) {
 
 void add_variable(std::vector<ErrorFrames::Variable>& variables, lua_State* lua, const char* name) {
     Value value = value_of(lua);
-    if (*name == '(' || *name == '\0' || (value.is_nothing() && lua_type(lua, -1) != LUA_TNIL)) return;
+    if (is_hidden(name) || (value.is_nothing() && lua_type(lua, -1) != LUA_TNIL)) return;
     ErrorFrames::Variable variable{name, traced_text(lua), std::move(value)};
     // If two variables have the same name, the inner one is used, which comes later.
     const auto same =

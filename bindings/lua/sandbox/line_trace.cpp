@@ -17,6 +17,7 @@
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
+#include "bindings/lua/syntax/array_loops.hpp"
 
 namespace nezumi {
 namespace {
@@ -275,7 +276,7 @@ std::vector<LineTrace::Value> LineTrace::values_in_sight(lua_State* lua, lua_Deb
         lua_pop(lua, 1);
     }
     for (int i = 1; const char* name = lua_getlocal(lua, event, i); ++i) {
-        if (*name != '(') add_value(values, lua, name);
+        if (!is_hidden(name)) add_value(values, lua, name);
         lua_pop(lua, 1);
     }
     for (const Table& table : tables_) {

@@ -7,6 +7,7 @@
 
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_globals.hpp"
+#include "bindings/lua/syntax/array_loops.hpp"
 #include "bindings/lua/syntax/globals.hpp"
 #include "bindings/lua/syntax/port_reads.hpp"
 #include "engine/base/list.hpp"
@@ -86,12 +87,14 @@ tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& so
     ScriptCode code{std::move(*chunk), parameter_uses(tree), {}, {}};
     if (kind == ScriptKind::component) {
         code.in_place = ports_read_in_place(tree);
-        FieldWrites fields = with_field_writes(tree);
-        // A large text may exceed a limit of Lua when it is written so. Then it stays as it is.
-        if (!fields.writes.empty()) {
-            if (auto flat = compile(fields.text, source.shown)) {
-                code.chunk = std::move(*flat);
-                code.writes = std::move(fields.writes);
+        TextEdits edits(tree);
+        std::vector<FieldWrite> writes = edit_field_writes(tree, edits);
+        edit_array_loops(tree, edits);
+        if (!edits.empty()) {
+            // An edited text may exceed a limit of Lua, such as 200 local variables. Then it stays as it is.
+            if (auto faster = compile(edits.text(), source.shown)) {
+                code.chunk = std::move(*faster);
+                code.writes = std::move(writes);
             }
         }
     }

@@ -70,7 +70,8 @@ void reserve_stack(lua_State* L) {
 template <class T>
 void push_table(lua_State* L, const PortSlot& slot, const InPort<T>& port, const T& value) {
     constexpr int metatable_index = lua_upvalueindex(2), table_index = lua_upvalueindex(3);
-    const bool in_place = slot.is_read_in_place && L == current_call->base && port.queue() == 0;
+    bool in_place = slot.is_read_in_place && L == current_call->base && port.queue() == 0;
+    if constexpr (std::is_same_v<T, Value>) in_place = in_place && value.type().kind == Type::Kind::structure;
     if (in_place && lua_type(L, table_index) == LUA_TTABLE) {
         lua_pushvalue(L, table_index);
         const std::size_t before = lua_rawlen(L, -1);
@@ -83,7 +84,11 @@ void push_table(lua_State* L, const PortSlot& slot, const InPort<T>& port, const
         }
         return;
     }
-    push_value(L, value);
+    if constexpr (std::is_same_v<T, Value>) {
+        push_payload(L, value);
+    } else {
+        push_value(L, value);
+    }
     if constexpr (Sequence<T>) {
         lua_pushvalue(L, metatable_index);
         lua_setmetatable(L, -2);
@@ -103,9 +108,7 @@ int port_read(lua_State* L) {
     auto& port = *static_cast<InPort<T>*>(slot.port);
     // In on_reload the message stays unread, because the version before may still need it.
     const T& value = slot.live ? port.read() : port.latest().data;
-    if constexpr (std::is_same_v<T, Value>) {
-        push_payload(L, value);
-    } else if constexpr (Sequence<T> || Described<T>) {
+    if constexpr (std::is_same_v<T, Value> || Sequence<T> || Described<T>) {
         push_table(L, slot, port, value);
     } else {
         push_value(L, value);

@@ -28,11 +28,13 @@ std::vector<DeclaredPort> declared_ports(const SyntaxTree& tree, const LocalUses
         if (!statement.is(Kind::local) || statement.at(1) == nullptr) continue;
         for (const SyntaxNode& value : *statement.at(1)) {
             if (!value.is(Kind::call) || value.at(1)->child == nullptr) continue;
-            const auto name = value.at(1)->child->string();
+            const SyntaxNode& first = *value.at(1)->child;
+            const auto name = first.string();
+            const auto type = first.next != nullptr ? first.next->string() : std::nullopt;
             const auto of = uses.find(variable_of(statement, value));
             if (!name || of == uses.end()) continue;
             for (const std::string_view function : {"input", "output"}) {
-                if (value.child->is_global(function)) ports.push_back({function, *name, of->second});
+                if (value.child->is_global(function)) ports.push_back({function, *name, type.value_or(""), of->second});
             }
         }
     }

@@ -21,6 +21,7 @@ const LocalName* variable_of(const SyntaxNode& local, const SyntaxNode& expressi
 struct DeclaredPort {
     std::string_view function;  ///< "input", "output"
     std::string_view name;
+    std::string_view type;                  ///< "" if it is not given as a string
     std::vector<const SyntaxNode*> uses{};  ///< of the variable
 };
 std::vector<DeclaredPort> declared_ports(const SyntaxTree& tree, const LocalUses& uses);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bindings/lua/syntax/syntax_tree.hpp"
+#include "bindings/lua/syntax/text_edits.hpp"
 
 namespace nezumi {
 
@@ -15,13 +16,9 @@ struct FieldWrite {
     bool operator==(const FieldWrite&) const = default;
 };
 
-/// A text in which such calls make no table: `port:write_1(x, y)`, with the number of its `FieldWrite` from 1. All
-/// lines keep their numbers. Without such calls the text is empty.
-struct FieldWrites {
-    std::string text;
-    std::vector<FieldWrite> writes;
-};
-FieldWrites with_field_writes(const SyntaxTree& tree);
+/// Edits such calls so that they make no table: `port:write_1(x, y)`, with the number of the `FieldWrite` from 1.
+/// Returns all of them.
+std::vector<FieldWrite> edit_field_writes(const SyntaxTree& tree, TextEdits& edits);
 
 /// The name of the method that such a call calls.
 std::string method_of_field_write(std::size_t number);

@@ -67,6 +67,14 @@ void push_payload(lua_State* L, const ValueView& value) {
     detail::push_any(L, value);
 }
 
+void fill_fields(lua_State* L, const ValueView& value) {
+    for (const Type::Field& field : value.type->fields) {
+        lua_pushlstring(L, field.name.data(), field.name.size());
+        detail::push_any(L, value.field(field));
+        lua_rawset(L, -3);
+    }
+}
+
 Expected<Value> read_payload(lua_State* L, int index, const MessageType* type) {
     if (lua_checkstack(L, codec_stack) == 0) return failure("not enough memory");
     Value value = make_payload(type);
@@ -285,12 +293,7 @@ void push_any(lua_State* L, const ValueView& value) {
     switch (value.type->kind) {
         case Type::Kind::structure:
             lua_createtable(L, 0, static_cast<int>(value.type->fields.size()));
-            for (const Type::Field& field : value.type->fields) {
-                lua_pushlstring(L, field.name.data(), field.name.size());
-                push_any(L, value.field(field));
-                lua_rawset(L, -3);
-            }
-            return;
+            return fill_fields(L, value);
         case Type::Kind::array:
         case Type::Kind::sequence: {
             lua_createtable(L, static_cast<int>(value.count()), 0);

@@ -53,6 +53,8 @@ inline constexpr int codec_stack_of<T> = Describe<T>::fields.apply([](const auto
 
 /// Pushes a new copy of a message or a parameter, which the script may change. Arrays become plain tables.
 void push_payload(lua_State* L, const ValueView& value);
+/// Sets the fields of the table on top of the stack to those of a structure.
+void fill_fields(lua_State* L, const ValueView& value);
 /// Reads the value at `index` as a payload of this message type, or returns the error (the text of
 /// `describe(Mismatch)`).
 Expected<Value> read_payload(lua_State* L, int index, const MessageType* type);
@@ -119,7 +121,9 @@ void push_value(lua_State* L, const T& value);
 /// Sets the fields or elements of the table on top of the stack.
 template <class T>
 void fill_table(lua_State* L, const T& value) {
-    if constexpr (Described<T>) {
+    if constexpr (std::is_same_v<T, Value>) {
+        fill_fields(L, value);
+    } else if constexpr (Described<T>) {
         for_each_field(value, [L](const auto& field, const auto& member) {
             lua_pushlstring(L, field.name.data(), field.name.size());
             push_value(L, member);

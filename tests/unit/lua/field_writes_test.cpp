@@ -9,15 +9,22 @@ namespace {
 
 const std::string declared = "local out = output('o', 'TimedVelocity2D')\n";
 
-FieldWrites rewritten(const std::string& text) {
+struct Edited {
+    std::string text;  // "": no edits
+    std::vector<FieldWrite> writes;
+};
+
+Edited edited(const std::string& text) {
     const SyntaxTree tree(text);
     REQUIRE(tree.error() == nullptr);
-    return with_field_writes(tree);
+    TextEdits edits(tree);
+    std::vector<FieldWrite> writes = edit_field_writes(tree, edits);
+    return {edits.empty() ? "" : edits.text(), std::move(writes)};
 }
 
 // The text of this statement; "" if it stays.
 std::string flat(const std::string& statement) {
-    const std::string text = rewritten(declared + statement).text;
+    const std::string text = edited(declared + statement).text;
     return text.empty() ? "" : text.substr(declared.size());
 }
 
@@ -37,8 +44,7 @@ TEST_CASE("a table of fields that is written becomes arguments, and all lines st
     CHECK(flat("out:write({ vx = 1; va = f(), })") == "out:write_1(   1,   (f()) )");
     CHECK(flat("out:write {\n  vx = 1, -- m/s\n  va = 2,\n}\nreturn 3") ==
           "out:write_1 (\n    1, -- m/s\n    (2)\n)\nreturn 3");
-    const FieldWrites two =
-        rewritten(declared + "out:write { va = 1 } out:write { vx = 2, va = 3 } out:write { va = 4 }");
+    const Edited two = edited(declared + "out:write { va = 1 } out:write { vx = 2, va = 3 } out:write { va = 4 }");
     CHECK(two.writes == std::vector<FieldWrite>{{"o", {"va"}}, {"o", {"vx", "va"}}});
     CHECK(two.text == declared + "out:write_1 (   (1) ) out:write_2 (   2,   (3) ) out:write_1 (   (4) )");
     CHECK(flat("out:write { va = f(function() out:write { va = 2 } end) }") ==
@@ -54,7 +60,7 @@ TEST_CASE("another call, or a call of another variable, stays", "[lua][port]") {
         INFO(statement);
         CHECK(flat(statement).empty());
     }
-    CHECK(rewritten("local out = input('o', 'TimedVelocity2D') out:write { vx = 1 }").text.empty());
+    CHECK(edited("local out = input('o', 'TimedVelocity2D') out:write { vx = 1 }").text.empty());
 }
 
 TEST_CASE("fields that are written without a table have the same values and the same errors", "[lua][port]") {
