@@ -4,6 +4,7 @@
 
 #include <exception>
 
+#include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
 
 namespace nezumi {
@@ -49,6 +50,7 @@ void LineProfile::on_event(lua_State* lua, lua_Debug* event) {
         if (lua_gethook(lua) == on_event) free_hook(lua);
         return;
     }
+    if (LuaState::of(lua).is_doubled(lua, event)) return;
     const std::int64_t began = thread_time();
     if (profile->present_ != 0) profile->costs_.add(profile->present_, began - profile->since_);
     try {

@@ -15,6 +15,7 @@
 #include "bindings/lua/sandbox/error_frames.hpp"
 #include "bindings/lua/sandbox/line_profile.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
 #include "bindings/lua/syntax/array_loops.hpp"
@@ -189,6 +190,7 @@ void LineTrace::on_event(lua_State* lua, lua_Debug* event) {
         if (lua_gethook(lua) == on_event) free_hook(lua);
         return;
     }
+    if (LuaState::of(lua).is_doubled(lua, event)) return;
     const std::int64_t began = thread_time();
     try {
         trace->note(lua, event);

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <utility>
 
+#include "engine/base/list.hpp"
+
 #if defined(NEZUMI_ADDRESS_SANITIZER)
 #include <sanitizer/lsan_interface.h>
 #endif
@@ -145,6 +147,15 @@ void LuaState::free(void* block, std::size_t size) {
     } else {
         std::free(block);
     }
+}
+
+bool LuaState::is_doubled(lua_State* lua, lua_Debug* event) {
+    if (event->event != LUA_HOOKLINE || doubled_lines_ == nullptr) return false;
+    const bool is_again = last_call_ == event->i_ci && last_line_ == event->currentline;
+    last_call_ = event->i_ci;
+    last_line_ = event->currentline;
+    return is_again && contains(*doubled_lines_, event->currentline) && lua_getinfo(lua, "S", event) != 0 &&
+           *event->source == '@' && event->source + 1 == *doubled_file_;
 }
 
 }  // namespace nezumi

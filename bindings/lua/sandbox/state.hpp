@@ -66,6 +66,14 @@ public:
     std::vector<int> tail_calls(std::string_view file, int first, int last) const {
         return tail_calls_ ? tail_calls_(file, first, last) : std::vector<int>();
     }
+    /// Sets the lines of a file at which each turn of a loop gives two line events instead of one, because the loop was
+    /// edited (`edit_array_loops`). Both must outlive the state.
+    void set_doubled_lines(const std::string& file, const std::vector<int>& lines) {
+        doubled_file_ = &file;
+        doubled_lines_ = &lines;
+    }
+    /// Whether a hook leaves out this event: the second one of such a line. Call it for each event.
+    bool is_doubled(lua_State* lua, lua_Debug* event);
     std::string hint(const Error& error) const { return hint_ ? hint_(error) : std::string(); }
 
     /// An empty coroutine for a call from `lua`, with room for `values` values; null for lack of memory. If the call
@@ -120,6 +128,10 @@ private:
     std::function<void(std::string_view)> print_;
     std::function<std::string(const Error&)> hint_;
     TailCalls tail_calls_;
+    const std::string* doubled_file_ = nullptr;
+    const std::vector<int>* doubled_lines_ = nullptr;
+    const void* last_call_ = nullptr;  // of the last line event; only compared
+    int last_line_ = 0;
 };
 
 /// Closes the variables of a coroutine, like lua_resetthread. Lua 5.4.6 and later count nested calls, beginning with

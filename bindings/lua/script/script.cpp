@@ -75,6 +75,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
     auto compiled = compile(source, ScriptKind::component);
     if (!compiled) return Unexpected(compiled.error());
     code_ = std::move(*compiled);
+    lua_->set_doubled_lines(file_.shown, code_->doubled_lines);
     auto installed = protect(L, context_.budget, [&](lua_State* inside) {
         install_globals(inside, *this);
         if (inheritance_.looks_at_tick == nullptr) set_state_global(inside, inheritance_.state);

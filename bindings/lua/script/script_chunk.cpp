@@ -84,17 +84,18 @@ tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& so
         });
     }
     if (!errors.empty()) return tl::unexpected(std::move(errors));
-    ScriptCode code{std::move(*chunk), parameter_uses(tree), {}, {}};
+    ScriptCode code{std::move(*chunk), parameter_uses(tree), {}, {}, {}};
     if (kind == ScriptKind::component) {
         code.in_place = ports_read_in_place(tree);
         TextEdits edits(tree);
         std::vector<FieldWrite> writes = edit_field_writes(tree, edits);
-        edit_array_loops(tree, edits);
+        std::vector<int> doubled_lines = edit_array_loops(tree, edits);
         if (!edits.empty()) {
             // An edited text may exceed a limit of Lua, such as 200 local variables. Then it stays as it is.
             if (auto faster = compile(edits.text(), source.shown)) {
                 code.chunk = std::move(*faster);
                 code.writes = std::move(writes);
+                code.doubled_lines = std::move(doubled_lines);
             }
         }
     }

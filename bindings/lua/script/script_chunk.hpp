@@ -31,6 +31,7 @@ struct ScriptCode {
     std::vector<ParameterUse> parameters;  ///< in order of location
     std::vector<std::string> in_place;     ///< the ports that `ports_read_in_place` finds
     std::vector<FieldWrite> writes;        ///< the calls that write fields without a table
+    std::vector<int> doubled_lines;        ///< of loops, for `LuaState::set_doubled_lines`
     Coverage::Source* covered = nullptr;   ///< gets the marks that the main function sets; null: the code has none
 };
 

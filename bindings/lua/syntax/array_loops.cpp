@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "bindings/lua/syntax/declared_ports.hpp"
 #include "bindings/lua/syntax/port_reads.hpp"
@@ -31,10 +32,11 @@ public:
         }
     }
 
-    void operator()() {
+    std::vector<int> operator()() {
         for (const SyntaxNode& node : tree_.nodes()) {
             if (node.is(Kind::for_loop) && node.child->end->is("in")) edit(node);
         }
+        return std::move(doubled_);
     }
 
 private:
@@ -69,20 +71,23 @@ private:
                                                  std::string(index) + "]");
         }
         if (!is_variable) edits_.insert_after(loop.end[-1], " end");
+        if (loop.end[-2].line > loop.first->line) doubled_.push_back(loop.first->line);
     }
 
     const SyntaxTree& tree_;
     TextEdits& edits_;
     std::set<const SyntaxNode*> reads_{};
     std::set<const LocalName*> variables_{};
+    std::vector<int> doubled_{};
 };
 
 }  // namespace
 
-void edit_array_loops(const SyntaxTree& tree, TextEdits& edits) {
+std::vector<int> edit_array_loops(const SyntaxTree& tree, TextEdits& edits) {
     const auto& tokens = tree.tokens();
-    if (std::none_of(tokens.begin(), tokens.end(), [](const Token& each) { return each.text == hidden_array; }))
-        LoopEditor(tree, edits)();
+    const bool is_taken =
+        std::any_of(tokens.begin(), tokens.end(), [](const Token& each) { return each.text == hidden_array; });
+    return is_taken ? std::vector<int>() : LoopEditor(tree, edits)();
 }
 
 }  // namespace nezumi

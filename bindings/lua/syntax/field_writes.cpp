@@ -35,13 +35,14 @@ void edit_call(const SyntaxNode& call, const SyntaxNode& table, std::size_t numb
         edits.remove(field.first, field.first + 2);  // the name, and the sign `=`
         const bool is_last = field.next == nullptr;
         if (is_last) {
-            // Brackets, because the last argument of a call may be several values.
+            // Brackets, because the last argument of a call may be several values. The call ends in the line of this
+            // field, which would else have no instruction.
             edits.insert_before(*field.child->first, "(");
-            edits.insert_after(field.end[-1], ")");
+            edits.insert_after(field.end[-1], "))");
         }
         if (field.end != table.end - 1) edits.replace(*field.end, is_last ? "" : ",");
     }
-    edits.replace(table.end[-1], has_brackets ? "" : ")");
+    edits.remove(table.end - 1, table.parent->end);
 }
 
 }  // namespace

@@ -85,3 +85,17 @@ TEST_CASE("an error in an edited loop has its line, and shows no variable that t
     for (const auto& local : frames->all.front().locals) names.push_back(local.name);
     CHECK(names == std::vector<std::string>{"i", "x"});
 }
+
+TEST_CASE("lines of edited calls and loops are traced as they are in the text", "[lua][port]") {
+    ScriptRig rig(of_port +
+                  "\nlocal out = output('out', 'TimedVelocity2D')\nfunction on_execute()\n  local sum = 0\n"
+                  "  for i, x in ipairs(p:read()) do\n    sum = sum + x\n    sum = sum + i\n  end\n"
+                  "  for _, x in ipairs(p:read()) do sum = sum + x end\n"
+                  "  out:write {\n    vx = sum,\n    va = 1,\n  }\nend");
+    rig.activate().feed<Shorts>("p", {3, 5});
+    rig.component->trace_next();
+    rig.tick();
+    std::vector<int> lines;
+    for (const auto& each : rig.component->latest_trace().lines) lines.push_back(each.line);
+    CHECK(lines == std::vector<int>{4, 5, 6, 7, 5, 6, 7, 5, 9, 9, 10, 11, 12, 10, 14});
+}

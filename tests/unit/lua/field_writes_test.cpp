@@ -40,15 +40,15 @@ std::string written(const std::string& body) {
 }  // namespace
 
 TEST_CASE("a table of fields that is written becomes arguments, and all lines stay", "[lua][port]") {
-    CHECK(flat("out:write { vx = 1, va = x }") == "out:write_1 (   1,   (x) )");
-    CHECK(flat("out:write({ vx = 1; va = f(), })") == "out:write_1(   1,   (f()) )");
+    CHECK(flat("out:write { vx = 1, va = x }") == "out:write_1 (   1,   (x)) ");
+    CHECK(flat("out:write({ vx = 1; va = f(), })") == "out:write_1(   1,   (f())) ");
     CHECK(flat("out:write {\n  vx = 1, -- m/s\n  va = 2,\n}\nreturn 3") ==
-          "out:write_1 (\n    1, -- m/s\n    (2)\n)\nreturn 3");
+          "out:write_1 (\n    1, -- m/s\n    (2))\n\nreturn 3");
     const Edited two = edited(declared + "out:write { va = 1 } out:write { vx = 2, va = 3 } out:write { va = 4 }");
     CHECK(two.writes == std::vector<FieldWrite>{{"o", {"va"}}, {"o", {"vx", "va"}}});
-    CHECK(two.text == declared + "out:write_1 (   (1) ) out:write_2 (   2,   (3) ) out:write_1 (   (4) )");
+    CHECK(two.text == declared + "out:write_1 (   (1))  out:write_2 (   2,   (3))  out:write_1 (   (4)) ");
     CHECK(flat("out:write { va = f(function() out:write { va = 2 } end) }") ==
-          "out:write_1 (   (f(function() out:write_1 (   (2) ) end)) )");
+          "out:write_1 (   (f(function() out:write_1 (   (2))  end))) ");
 }
 
 TEST_CASE("another call, or a call of another variable, stays", "[lua][port]") {
